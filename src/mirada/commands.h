@@ -1,0 +1,12 @@
+#pragma once
+#include <CLI/App.hpp>
+
+namespace mirada {
+
+/// Each adds one subcommand to the program; its callback sets `exit_code`. One source file a subcommand.
+struct Commands {
+    CLI::App& app;
+    int exit_code = 0;
+};
+
+}  // namespace mirada
