@@ -6,8 +6,9 @@ namespace mirada {
 namespace {
 
 Micros monotonic_now() {
-    using std::chrono::duration_cast;
-    return duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  using std::chrono::duration_cast;
+  return duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now().time_since_epoch())
+      .count();
 }
 
 }  // namespace

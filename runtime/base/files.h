@@ -7,15 +7,17 @@
 
 namespace mirada {
 
-/// The whole file as bytes; a fault in words when it is missing, a folder, unreadable or larger than `max_bytes`.
+/// The whole file as bytes; a fault in words when it is missing, a folder, unreadable or larger than
+/// `max_bytes`.
 Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t max_bytes = 64u << 20);
 
-/// Writes beside the file, syncs and renames, so that a power cut leaves the old or the new file, never half of one.
+/// Writes beside the file, syncs and renames, so that a power cut leaves the old or the new file, never half
+/// of one.
 Status write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
-/// The folder that holds a data folder such as "blocks", "ui/dist", "runtime/model/robots" or "runtime/world/rooms":
-/// found relative to the executable, in a build tree (the source tree above it) or installed (../share/mirada).
-/// MIRADA_DATA in the environment overrides it.
+/// The folder that holds a data folder such as "blocks", "ui/dist", "runtime/model/robots" or
+/// "runtime/world/rooms": found relative to the executable, in a build tree (the source tree above it) or
+/// installed (../share/mirada). MIRADA_DATA in the environment overrides it.
 std::filesystem::path data_folder(std::string_view name);
 
 }  // namespace mirada

@@ -1,6 +1,7 @@
 #include "base/json_reader.h"
 
 #include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "base/messages.h"
@@ -9,159 +10,162 @@ namespace mirada {
 namespace {
 
 const nlohmann::json& empty_object() {
-    static const nlohmann::json empty = nlohmann::json::object();
-    return empty;
+  static const nlohmann::json empty = nlohmann::json::object();
+  return empty;
 }
 
 std::string shown(const nlohmann::json& value) {
-    const std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    return text.size() <= 40 ? text : text.substr(0, 37) + "...";
+  const std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return text.size() <= 40 ? text : text.substr(0, 37) + "...";
 }
 
 MessageArgs range_args(std::string field, double min, double max) {
-    return {{"field", std::move(field)}, {"min", number_text(min, 6)}, {"max", number_text(max, 6)}};
+  return {{"field", std::move(field)}, {"min", number_text(min, 6)}, {"max", number_text(max, 6)}};
 }
 
 }  // namespace
 
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& place) {
-    try {
-        return nlohmann::json::parse(text);
-    } catch (const nlohmann::json::parse_error& error) {
-        return make_fault(place, messages::json_broken, {{"byte", std::to_string(error.byte)}});
-    }
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::parse_error& error) {
+    return make_fault(place, messages::json_broken, {{"byte", std::to_string(error.byte)}});
+  }
 }
 
 JsonReader::JsonReader(const nlohmann::json& object, std::string path, Faults& faults)
     : object_(&object), path_(std::move(path)), faults_(&faults) {
-    if (!object.is_object()) {
-        faults_->push_back(make_fault(path_, messages::object_needed,
-                                      {{"field", path_.empty() ? "/" : path_}, {"value", shown(object)}}));
-        object_ = &empty_object();
-    }
+  if (!object.is_object()) {
+    faults_->push_back(make_fault(path_, messages::object_needed,
+                                  {{"field", path_.empty() ? "/" : path_}, {"value", shown(object)}}));
+    object_ = &empty_object();
+  }
 }
 
 const nlohmann::json* JsonReader::find(std::string_view field) const {
-    const auto it = object_->find(std::string(field));
-    return it == object_->end() ? nullptr : &*it;
+  const auto it = object_->find(std::string(field));
+  return it == object_->end() ? nullptr : &*it;
 }
 
 bool JsonReader::has(std::string_view field) const { return find(field) != nullptr; }
 
 void JsonReader::fault(std::string_view field, const Message& message, MessageArgs args) {
-    const std::string place = path_ + "/" + std::string(field);
-    args.emplace_back("field", place);
-    faults_->push_back(make_fault(place, message, std::move(args)));
+  const std::string place = path_ + "/" + std::string(field);
+  args.emplace_back("field", place);
+  faults_->push_back(make_fault(place, message, std::move(args)));
 }
 
 double JsonReader::checked(const nlohmann::json& value, std::string_view field, double min, double max,
                            double fallback) {
-    if (value.is_number()) {
-        const double number = value.get<double>();
-        if (std::isfinite(number) && number >= min && number <= max) return number;
-    }
-    MessageArgs args = range_args(path_ + "/" + std::string(field), min, max);
-    args.emplace_back("value", shown(value));
-    faults_->push_back(make_fault(args.front().second, messages::number_needed, args));
-    return fallback;
+  if (value.is_number()) {
+    const double number = value.get<double>();
+    if (std::isfinite(number) && number >= min && number <= max) return number;
+  }
+  MessageArgs args = range_args(path_ + "/" + std::string(field), min, max);
+  args.emplace_back("value", shown(value));
+  faults_->push_back(make_fault(args.front().second, messages::number_needed, args));
+  return fallback;
 }
 
 double JsonReader::number(std::string_view field, double min, double max) {
-    const double fallback = min <= 0 && max >= 0 ? 0 : min;
-    if (const nlohmann::json* value = find(field)) return checked(*value, field, min, max, fallback);
-    const std::string place = path_ + "/" + std::string(field);
-    faults_->push_back(make_fault(place, messages::number_missing, range_args(place, min, max)));
-    return fallback;
+  const double fallback = min <= 0 && max >= 0 ? 0 : min;
+  if (const nlohmann::json* value = find(field)) return checked(*value, field, min, max, fallback);
+  const std::string place = path_ + "/" + std::string(field);
+  faults_->push_back(make_fault(place, messages::number_missing, range_args(place, min, max)));
+  return fallback;
 }
 
 double JsonReader::number_or(std::string_view field, double min, double max, double fallback) {
-    const nlohmann::json* value = find(field);
-    return value ? checked(*value, field, min, max, fallback) : fallback;
+  const nlohmann::json* value = find(field);
+  return value ? checked(*value, field, min, max, fallback) : fallback;
 }
 
 std::string JsonReader::text(std::string_view field) {
-    if (!has(field)) fault(field, messages::field_missing);
-    return text_or(field, "");
+  if (!has(field)) fault(field, messages::field_missing);
+  return text_or(field, "");
 }
 
 std::string JsonReader::text_or(std::string_view field, std::string fallback) {
-    const nlohmann::json* value = find(field);
-    if (!value) return fallback;
-    if (value->is_string()) return value->get<std::string>();
-    fault(field, messages::text_needed, {{"value", shown(*value)}});
-    return fallback;
+  const nlohmann::json* value = find(field);
+  if (!value) return fallback;
+  if (value->is_string()) return value->get<std::string>();
+  fault(field, messages::text_needed, {{"value", shown(*value)}});
+  return fallback;
 }
 
 bool JsonReader::truth_or(std::string_view field, bool fallback) {
-    const nlohmann::json* value = find(field);
-    if (!value) return fallback;
-    if (value->is_boolean()) return value->get<bool>();
-    fault(field, messages::truth_needed, {{"value", shown(*value)}});
-    return fallback;
+  const nlohmann::json* value = find(field);
+  if (!value) return fallback;
+  if (value->is_boolean()) return value->get<bool>();
+  fault(field, messages::truth_needed, {{"value", shown(*value)}});
+  return fallback;
 }
 
 std::string JsonReader::choice(std::string_view field, std::initializer_list<std::string_view> choices) {
-    const nlohmann::json* value = find(field);
-    std::string list;
-    for (const std::string_view choice : choices) {
-        if (value && value->is_string() && value->get_ref<const std::string&>() == choice) return std::string(choice);
-        list += (list.empty() ? "" : ", ") + std::string(choice);
-    }
-    fault(field, messages::choice_needed, {{"choices", list}, {"value", value ? shown(*value) : "-"}});
-    return std::string(*choices.begin());
+  const nlohmann::json* value = find(field);
+  std::string list;
+  for (const std::string_view choice : choices) {
+    if (value && value->is_string() && value->get_ref<const std::string&>() == choice)
+      return std::string(choice);
+    list += (list.empty() ? "" : ", ") + std::string(choice);
+  }
+  fault(field, messages::choice_needed, {{"choices", list}, {"value", value ? shown(*value) : "-"}});
+  return std::string(*choices.begin());
 }
 
 std::vector<double> JsonReader::numbers(std::string_view field, std::size_t min_size, std::size_t max_size,
                                         double min, double max) {
-    const nlohmann::json* value = find(field);
-    if (!value || !value->is_array() || value->size() < min_size || value->size() > max_size) {
-        fault(field, messages::array_needed,
-              {{"min", std::to_string(min_size)}, {"max", std::to_string(max_size)},
-               {"value", value ? shown(*value) : "-"}});
-        return std::vector<double>(min_size, 0.0);
-    }
-    std::vector<double> out;
-    for (std::size_t i = 0; i < value->size(); ++i) {
-        out.push_back(checked((*value)[i], std::string(field) + "/" + std::to_string(i), min, max, 0.0));
-    }
-    return out;
+  const nlohmann::json* value = find(field);
+  if (!value || !value->is_array() || value->size() < min_size || value->size() > max_size) {
+    fault(field, messages::array_needed,
+          {{"min", std::to_string(min_size)},
+           {"max", std::to_string(max_size)},
+           {"value", value ? shown(*value) : "-"}});
+    return std::vector<double>(min_size, 0.0);
+  }
+  std::vector<double> out;
+  for (std::size_t i = 0; i < value->size(); ++i) {
+    out.push_back(checked((*value)[i], std::string(field) + "/" + std::to_string(i), min, max, 0.0));
+  }
+  return out;
 }
 
 JsonReader JsonReader::object(std::string_view field) {
-    const nlohmann::json* value = find(field);
-    return JsonReader(value ? *value : empty_object(), path_ + "/" + std::string(field), *faults_);
+  const nlohmann::json* value = find(field);
+  return JsonReader(value ? *value : empty_object(), path_ + "/" + std::string(field), *faults_);
 }
 
 std::optional<JsonReader> JsonReader::object_if_present(std::string_view field) {
-    if (!has(field)) return std::nullopt;
-    return object(field);
+  if (!has(field)) return std::nullopt;
+  return object(field);
 }
 
 std::vector<JsonReader> JsonReader::objects(std::string_view field, std::size_t max_size) {
-    std::vector<JsonReader> out;
-    const nlohmann::json* value = find(field);
-    if (!value) return out;
-    if (!value->is_array() || value->size() > max_size) {
-        fault(field, messages::array_needed, {{"min", "0"}, {"max", std::to_string(max_size)}, {"value", shown(*value)}});
-        return out;
-    }
-    for (std::size_t i = 0; i < value->size(); ++i) {
-        out.emplace_back((*value)[i], path_ + "/" + std::string(field) + "/" + std::to_string(i), *faults_);
-    }
+  std::vector<JsonReader> out;
+  const nlohmann::json* value = find(field);
+  if (!value) return out;
+  if (!value->is_array() || value->size() > max_size) {
+    fault(field, messages::array_needed,
+          {{"min", "0"}, {"max", std::to_string(max_size)}, {"value", shown(*value)}});
     return out;
+  }
+  for (std::size_t i = 0; i < value->size(); ++i) {
+    out.emplace_back((*value)[i], path_ + "/" + std::string(field) + "/" + std::to_string(i), *faults_);
+  }
+  return out;
 }
 
 void JsonReader::only(std::initializer_list<std::string_view> known) {
-    std::string list;
-    for (const std::string_view name : known) list += (list.empty() ? "" : ", ") + std::string(name);
-    for (const auto& [name, value] : object_->items()) {
-        bool found = false;
-        for (const std::string_view candidate : known) found = found || name == candidate;
-        if (found) continue;
-        const std::string place = path_ + "/" + name;
-        faults_->push_back(
-            make_fault(place, messages::field_unknown, {{"field", place}, {"known", list}}, Severity::warning));
-    }
+  std::string list;
+  for (const std::string_view name : known) list += (list.empty() ? "" : ", ") + std::string(name);
+  for (const auto& [name, value] : object_->items()) {
+    bool found = false;
+    for (const std::string_view candidate : known) found = found || name == candidate;
+    if (found) continue;
+    const std::string place = path_ + "/" + name;
+    faults_->push_back(
+        make_fault(place, messages::field_unknown, {{"field", place}, {"known", list}}, Severity::warning));
+  }
 }
 
 }  // namespace mirada

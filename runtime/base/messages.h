@@ -3,7 +3,8 @@
 
 namespace mirada::messages {
 
-inline constexpr Message file_missing{"file_missing", "There is no file {file}.", "No existe el archivo {file}."};
+inline constexpr Message file_missing{"file_missing", "There is no file {file}.",
+                                      "No existe el archivo {file}."};
 inline constexpr Message file_is_folder{"file_is_folder", "{file} is a folder; a file is needed here.",
                                         "{file} es una carpeta; aquí hace falta un archivo."};
 inline constexpr Message file_unreadable{"file_unreadable", "I can't read {file}. Check who may read it.",
@@ -16,9 +17,11 @@ inline constexpr Message json_broken{"json_broken", "This is not whole JSON: it 
                                      "Esto no es JSON completo: se rompe en el byte {byte}."};
 inline constexpr Message object_needed{"object_needed", "{field} must be an object in braces, not {value}.",
                                        "{field} debe ser un objeto entre llaves, no {value}."};
-inline constexpr Message array_needed{"array_needed", "{field} must be a list of {min} to {max} values, not {value}.",
+inline constexpr Message array_needed{"array_needed",
+                                      "{field} must be a list of {min} to {max} values, not {value}.",
                                       "{field} debe ser una lista de {min} a {max} valores, no {value}."};
-inline constexpr Message number_needed{"number_needed", "{field} must be a number from {min} to {max}, not {value}.",
+inline constexpr Message number_needed{"number_needed",
+                                       "{field} must be a number from {min} to {max}, not {value}.",
                                        "{field} debe ser un número de {min} a {max}, no {value}."};
 inline constexpr Message text_needed{"text_needed", "{field} must be a text, not {value}.",
                                      "{field} debe ser un texto, no {value}."};
@@ -29,7 +32,8 @@ inline constexpr Message choice_needed{"choice_needed", "{field} must be one of 
 inline constexpr Message number_missing{"number_missing", "{field} is missing: a number from {min} to {max}.",
                                         "Falta {field}: un número de {min} a {max}."};
 inline constexpr Message field_missing{"field_missing", "{field} is missing.", "Falta {field}."};
-inline constexpr Message field_unknown{"field_unknown", "I don't know the field {field}. Known here: {known}.",
+inline constexpr Message field_unknown{"field_unknown",
+                                       "I don't know the field {field}. Known here: {known}.",
                                        "No conozco el campo {field}. Aquí valen: {known}."};
 
 }  // namespace mirada::messages

@@ -5,8 +5,8 @@
 namespace mirada {
 
 double wrap_rad(double angle_rad) {
-    const double wrapped = std::remainder(angle_rad, 2.0 * std::numbers::pi);
-    return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
+  const double wrapped = std::remainder(angle_rad, 2.0 * std::numbers::pi);
+  return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
 }
 
 }  // namespace mirada
