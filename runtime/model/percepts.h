@@ -12,52 +12,52 @@ namespace mirada {
 enum class Answer { blocked, clear, not_seen, above_horizon };
 const char* to_string(Answer answer);
 
-/// One direction of the visual sonar. Bearing and distance from the robot's origin, positive left. For `clear`,
-/// distance is how far floor was seen. Distance and sigma are NaN for not_seen and above_horizon.
+/// One direction of the visual sonar. Bearing and distance from the robot's origin, positive left. For
+/// `clear`, distance is how far floor was seen. Distance and sigma are NaN for not_seen and above_horizon.
 struct SonarReading {
-    double bearing_rad = 0;
-    Answer answer = Answer::not_seen;
-    double distance_m = 0;
-    double sigma_m = 0;
+  double bearing_rad = 0;
+  Answer answer = Answer::not_seen;
+  double distance_m = 0;
+  double sigma_m = 0;
 };
 
 /// Where the boundary was found in the picture, for drawing: one an image column that was scanned.
 struct BoundaryPixel {
-    float u_px = 0;
-    float v_px = 0;
-    Answer answer = Answer::not_seen;
+  float u_px = 0;
+  float v_px = 0;
+  Answer answer = Answer::not_seen;
 };
 
 struct SonarPercept {
-    std::uint64_t frame = 0;  ///< the picture's number; 0 = none yet
-    Micros t_exposure = 0;
-    NeckAngles neck;                      ///< at the exposure
-    Pose2 X_OR;                           ///< odometry at the exposure
-    std::vector<SonarReading> readings;   ///< every whole degree within view, ascending bearing (right to left)
-    std::vector<BoundaryPixel> boundary;  ///< left to right
-    bool floor_model_trusted = false;
+  std::uint64_t frame = 0;  ///< the picture's number; 0 = none yet
+  Micros t_exposure = 0;
+  NeckAngles neck;                      ///< at the exposure
+  Pose2 X_OR;                           ///< odometry at the exposure
+  std::vector<SonarReading> readings;   ///< every whole degree within view, ascending bearing (right to left)
+  std::vector<BoundaryPixel> boundary;  ///< left to right
+  bool floor_model_trusted = false;
 };
 
 /// Box in source pixels, top-left origin; bearing of its middle from the robot's origin, positive left.
 struct FacePercept {
-    double x_px = 0, y_px = 0, w_px = 0, h_px = 0;
-    double score = 0;
-    double bearing_rad = 0;
+  double x_px = 0, y_px = 0, w_px = 0, h_px = 0;
+  double score = 0;
+  double bearing_rad = 0;
 };
 
 struct FacesPercept {
-    std::uint64_t frame = 0;
-    Micros t_exposure = 0;
-    int picture_width_px = 320;
-    int picture_height_px = 240;
-    std::string detector;
-    std::vector<FacePercept> faces;  ///< largest first
+  std::uint64_t frame = 0;
+  Micros t_exposure = 0;
+  int picture_width_px = 320;
+  int picture_height_px = 240;
+  std::string detector;
+  std::vector<FacePercept> faces;  ///< largest first
 };
 
 /// All that is perceived now. Immutable once published; blocks read the newest snapshot.
 struct Percepts {
-    SonarPercept sonar;
-    FacesPercept faces;
+  SonarPercept sonar;
+  FacesPercept faces;
 };
 
 }  // namespace mirada

@@ -1,0 +1,46 @@
+#pragma once
+#include "base/message.h"
+
+namespace mirada::messages {
+
+inline constexpr Message robot_unknown{
+    "robot_unknown", "I don't know the robot {robot}. Choose {known}, or give a robot.json file.",
+    "No conozco el robot {robot}. Elige {known}, o da un archivo robot.json."};
+inline constexpr Message robot_wrong_version{"robot_wrong_version",
+                                             "{field} is {value}; this program reads version 1.",
+                                             "{field} es {value}; este programa lee la versión 1."};
+inline constexpr Message robot_wrong_format{
+    "robot_wrong_format", "{field} must be \"mirada-robot\", not {value}. Is this a robot file?",
+    "{field} debe ser \"mirada-robot\", no {value}. ¿Es un archivo de robot?"};
+inline constexpr Message camera_view_missing{
+    "camera_view_missing", "Say how wide the camera sees: {field} (1 to 175), or fx_px from a calibration.",
+    "Di cuánto abarca la cámara: {field} (de 1 a 175), o fx_px de una calibración."};
+inline constexpr Message camera_view_twice{
+    "camera_view_twice",
+    "{field} {value} and fx_px do not belong together: this fx_px sees {seen} degrees. Keep one of them.",
+    "{field} {value} y fx_px no concuerdan: ese fx_px abarca {seen} grados. Deja uno de los dos."};
+inline constexpr Message camera_distortion_folds{"camera_distortion_folds",
+                                                 "{field} cannot be right: with it the corner of the picture "
+                                                 "({corner}) is seen by no ray. Calibrate again.",
+                                                 "{field} no puede ser correcto: con él la esquina de la "
+                                                 "imagen ({corner}) no la ve ningún rayo. Calibra de nuevo."};
+inline constexpr Message range_reversed{"range_reversed",
+                                        "{field} is {value}; it must not be below min_deg ({min}).",
+                                        "{field} es {value}; no puede ser menor que min_deg ({min})."};
+inline constexpr Message faster_than_possible{
+    "faster_than_possible", "{field} is {value}; it must not be above max_wheel_mps ({max}).",
+    "{field} es {value}; no puede pasar de max_wheel_mps ({max})."};
+inline constexpr Message footprint_points{
+    "footprint_points",
+    "{field} must be a list of 3 to 64 corners [x, y] in metres from -2 to 2, not {value}.",
+    "{field} debe ser una lista de 3 a 64 esquinas [x, y] en metros de -2 a 2, no {value}."};
+inline constexpr Message footprint_not_convex{
+    "footprint_not_convex",
+    "{field}: the corners must go round the robot without a dent or a crossing; look at corner {corner}.",
+    "{field}: las esquinas deben rodear el robot sin entrantes ni cruces; mira la esquina {corner}."};
+inline constexpr Message camera_underground{
+    "camera_underground",
+    "{field}: with the neck at {tilt_deg} degrees of tilt the lens would be {height_m} m high.",
+    "{field}: con el cuello a {tilt_deg} grados de inclinación la lente quedaría a {height_m} m de altura."};
+
+}  // namespace mirada::messages
