@@ -1,0 +1,16 @@
+# Sourced by scripts/test and scripts/check: the parts that are no test program of their own.
+
+cpp_files() { find runtime blocks src tests \( -name '*.cpp' -o -name '*.h' \) -print0 | sort -z; }
+
+check_format() { cpp_files | xargs -0 clang-format --dry-run -Werror; }
+
+run_browser_tests() {
+  cd ui
+  run_node_tests --test-concurrency=1 ../tests/e2e/*.test.mjs
+}
+
+# Each source with the compiler's own command line, two at a time; every finding is an error.
+check_tidy() {
+  find runtime blocks src -name '*.cpp' -print0 | sort -z |
+    xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet -p build/release
+}
