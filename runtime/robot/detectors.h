@@ -1,0 +1,20 @@
+#pragma once
+#include <functional>
+
+#include "base/result.h"
+#include "model/frame.h"
+#include "model/percepts.h"
+
+namespace mirada::robot {
+
+/// What turns pictures into percepts. Wired by rig/; each is called from one thread only.
+struct Detectors {
+  /// Picture, neck and odometry at the exposure.
+  std::function<SonarPercept(const Frame&, const NeckAngles&, const Pose2&)> sonar;
+  /// A fault in words when faces cannot be looked for at all. Live it is called on a thread of its own.
+  std::function<Result<FacesPercept>(const Frame&, const NeckAngles&)> faces;
+  /// Forgets what was learnt about the floor.
+  std::function<void()> forget_floor;
+};
+
+}  // namespace mirada::robot

@@ -1,0 +1,84 @@
+#include "robot/perception.h"
+
+#include "robot/messages.h"
+
+namespace mirada::robot {
+
+Perception::Perception(hal::Camera* camera, Detectors detectors, const LatencyConfig& latency, Timing timing)
+    : camera_(camera), detectors_(std::move(detectors)), latency_(latency), timing_(timing) {}
+
+void Perception::need(const Needs& needs) {
+  if (needs == needs_) return;
+  if (camera_ != nullptr && needs.any() != needs_.any()) camera_->enable(needs.any());
+  needs_ = needs;
+  if (needs.faces && timing_ == Timing::live && !face_worker_ && detectors_.faces) {
+    face_worker_ = std::make_unique<FaceWorker>(detectors_.faces);
+  }
+}
+
+Status Perception::health() const { return camera_ != nullptr ? camera_->health() : Status(Ok{}); }
+
+bool Perception::step(Micros now, const MotionHistory& history) {
+  std::optional<Frame> fresh;
+  if (camera_ != nullptr && needs_.any()) fresh = camera_->poll();
+  if (fresh) {
+    frame_ = std::move(*fresh);
+    look(frame_, now, history);
+  }
+  if (face_worker_) {
+    if (auto found = face_worker_->take()) accept(std::move(*found), now);
+  }
+  publish(now);
+  return fresh.has_value();
+}
+
+void Perception::look(const Frame& frame, Micros now, const MotionHistory& history) {
+  const MotionHistory::State then = history.at(frame.t_exposure);
+  if (needs_.sonar && detectors_.sonar) {
+    const Micros due = timing_ == Timing::live ? now : now + latency_.sonar_us;
+    sonar_due_.push_back({due, detectors_.sonar(frame, then.neck, then.X_OR)});
+  }
+  if (needs_.faces && detectors_.faces) look_for_faces(frame, now, then.neck);
+}
+
+void Perception::look_for_faces(const Frame& frame, Micros now, const NeckAngles& neck) {
+  if (face_worker_) {
+    face_worker_->offer(frame, neck);
+    return;
+  }
+  // One picture at a time, as the thread that does it live.
+  if (faces_due_.empty()) accept(detectors_.faces(frame, neck), now + latency_.faces_us);
+}
+
+void Perception::accept(Result<FacesPercept> found, Micros due) {
+  if (found) {
+    faces_due_.push_back({due, std::move(*found)});
+    return;
+  }
+  const Fault& why = found.faults().front();
+  faces_trouble_ = make_fault("", messages::faces_unavailable, {{"reason", why.text(Lang::en)}});
+}
+
+void Perception::publish(Micros now) {
+  std::shared_ptr<Percepts> next;
+  const auto draft = [&]() -> Percepts& {
+    if (!next) next = std::make_shared<Percepts>(*percepts_);
+    return *next;
+  };
+  for (; !sonar_due_.empty() && sonar_due_.front().at <= now; sonar_due_.pop_front()) {
+    draft().sonar = std::move(sonar_due_.front().percept);
+  }
+  for (; !faces_due_.empty() && faces_due_.front().at <= now; faces_due_.pop_front()) {
+    draft().faces = std::move(faces_due_.front().percept);
+  }
+  if (next) percepts_ = std::move(next);
+}
+
+void Perception::forget() {
+  if (detectors_.forget_floor) detectors_.forget_floor();
+  sonar_due_.clear();
+  faces_due_.clear();
+  percepts_ = std::make_shared<const Percepts>();
+}
+
+}  // namespace mirada::robot

@@ -1,0 +1,68 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hal/neck.h"
+#include "robot/gaze.h"
+#include "robot/motion.h"
+#include "robot/perception.h"
+#include "robot/seeing.h"
+
+namespace mirada::robot {
+
+/// What the robot is made of. Any may be missing (null). They must outlive the robot.
+struct Devices {
+  hal::Camera* camera = nullptr;
+  hal::Drive* drive = nullptr;
+  hal::Neck* neck = nullptr;
+};
+
+/// Something odd that a block met, in words (a warning on the block).
+struct Note {
+  std::string block;
+  Fault fault;
+};
+
+/// All that a program may touch of a robot. Control thread, except safety().stop() and safety().check().
+class Robot {
+ public:
+  Robot(RobotConfig config, const Devices& devices, Detectors detectors, Timing timing, const Clock& clock);
+
+  /// Every world step (10 ms): where am I, what is there to be seen.
+  void observe();
+  /// Every VM tick, after the scripts: the behaviours' commands go through safety to the wheels.
+  Safety::Verdict act();
+
+  const RobotConfig& config() const { return config_; }
+  Micros now() const { return clock_->now(); }
+  Safety& safety() { return safety_; }
+  Motion& motion() { return motion_; }
+  Gaze& gaze() { return gaze_; }
+  Perception& perception() { return perception_; }
+  const Perception& perception() const { return perception_; }
+  const hal::Odometry& odometry() const { return odometry_; }
+  SonarView sonar() const;
+  /// The newest faces, or null when they are too old to say anything.
+  const FacesPercept* faces() const;
+
+  void note(const std::string& block, Fault fault);
+  std::vector<Note> take_notes();
+
+  /// The robot was put elsewhere: nothing seen or driven before holds.
+  void forget();
+
+ private:
+  RobotConfig config_;
+  Devices devices_;
+  const Clock* clock_;
+  Safety safety_;
+  Motion motion_;
+  Gaze gaze_;
+  Perception perception_;
+  MotionHistory history_;
+  hal::Odometry odometry_;
+  std::vector<Note> notes_;
+};
+
+}  // namespace mirada::robot
