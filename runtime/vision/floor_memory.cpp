@@ -1,0 +1,154 @@
+#include "vision/floor_memory.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirada::vision {
+namespace {
+
+constexpr double kMoved_m = 0.01;
+constexpr double kMoved_rad = 0.02;
+constexpr double kLearnTo_m = 0.45;  // beyond the nearest visible floor
+constexpr int kFadeEvery = 16;
+constexpr int kLostPictures = 10;
+constexpr double kLostMove_m = 0.15;
+constexpr double kLostTurn_rad = 0.35;
+
+bool moved(const Pose2& a, const Pose2& b, double by_m, double by_rad) {
+  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m) > by_m ||
+         std::abs(wrap_rad(a.heading_rad - b.heading_rad)) > by_rad;
+}
+
+/// A picture whose floor goes on above the horizon, or that shows hardly any floor, teaches nothing.
+bool plausible(const std::vector<ColumnResult>& results) {
+  using End = ColumnResult::End;
+  std::size_t through = 0;
+  std::size_t floor = 0;
+  std::size_t usable = 0;
+  for (const ColumnResult& result : results) {
+    through += result.end == End::through_horizon;
+    floor += result.end == End::boundary || result.end == End::floor_to_top;
+    usable += result.end != End::nothing && result.end != End::above_horizon;
+  }
+  return usable > 0 && through * 3 < usable && floor * 5 > usable;
+}
+
+}  // namespace
+
+void FloorMemory::forget() {
+  looks_.clear();
+  trusted_ = false;
+  lost_pictures_ = 0;
+}
+
+/// Bit for bit the picture before although the robot or its neck has moved: the camera repeats itself.
+bool FloorMemory::is_frozen(const PictureGrid& grid, const Place& place) {
+  const std::uint64_t fingerprint = grid.fingerprint();
+  const bool same = last_place_ && fingerprint == fingerprint_;
+  if (!same) {
+    fingerprint_ = fingerprint;
+    last_place_ = place;
+    return false;
+  }
+  return moved(place.X_OR, last_place_->X_OR, kMoved_m, kMoved_rad) ||
+         std::abs(place.neck.pan_rad - last_place_->neck.pan_rad) > kMoved_rad ||
+         std::abs(place.neck.tilt_rad - last_place_->neck.tilt_rad) > kMoved_rad;
+}
+
+void FloorMemory::scan_columns(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
+                               ColumnScan& scan, std::vector<ColumnResult>& results) const {
+  const int middle = grid.columns() / 2;
+  const auto run = [&](int column, const Look& start) {
+    const auto i = static_cast<std::size_t>(column);
+    results[i] = scan.run(column, spans[i], start);
+    return scan.foot();
+  };
+  const Look foot = run(middle, home_);
+  Look start = foot;
+  for (int column = middle - 1; column >= 0; --column) start = run(column, start);
+  start = foot;
+  for (int column = middle + 1; column < grid.columns(); ++column) start = run(column, start);
+}
+
+bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
+                       const std::vector<double>& depth_m, const ScanSettings& settings, const Pose2& X_OR,
+                       const NeckAngles& neck, std::vector<ColumnResult>& results) {
+  const Place place{X_OR, neck};
+  if (is_frozen(grid, place)) return false;
+  const FloorStudy::Verdict verdict = study_.run(grid, spans, depth_m);
+  if (verdict == FloorStudy::Verdict::dark || verdict == FloorStudy::Verdict::glaring) return false;
+  const bool can_learn = verdict == FloorStudy::Verdict::floor;
+  const bool first = !trusted_;
+  if (first) {
+    if (!can_learn) return false;
+    looks_.clear();
+    study_.teach(looks_);
+    home_ = study_.main_look();
+    texture_ = study_.texture();
+  }
+  ColumnScan scan(grid, looks_, depth_m);
+  scan.prepare(texture_, settings);
+  scan_columns(grid, spans, scan, results);
+  if (first) {
+    trusted_ = plausible(results);
+    return trusted_;
+  }
+  if (is_lost(grid, spans, results, place)) {
+    forget();
+    return false;
+  }
+  if (can_learn && plausible(results)) learn(grid, spans, depth_m, results);
+  return true;
+}
+
+void FloorMemory::learn(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
+                        const std::vector<double>& depth_m, const std::vector<ColumnResult>& results) {
+  if (++pictures_since_fade_ >= kFadeEvery) {
+    pictures_since_fade_ = 0;
+    looks_.fade();
+  }
+  const double limit_m = depth_m.back() + kLearnTo_m;
+  Look sum{0, 0, 0};
+  int count = 0;
+  for (std::size_t i = 2; i < results.size(); i += 5) {
+    if (results[i].end != ColumnResult::End::boundary && results[i].end != ColumnResult::End::floor_to_top)
+      continue;
+    const int top = static_cast<int>(results[i].row) + 8;
+    for (int row = spans[i].bottom_row - 4; row > top; row -= 12) {
+      if (depth_m[static_cast<std::size_t>(row)] > limit_m) break;
+      const Look look = grid.look(static_cast<int>(i), row);
+      looks_.add(look, 4);
+      if (row < spans[i].bottom_row - 40) continue;
+      sum = {sum.light + look.light, sum.red + look.red, sum.blue + look.blue};
+      ++count;
+    }
+  }
+  if (count > 0) home_ = {sum.light / count, sum.red / count, sum.blue / count};
+}
+
+/// The floor that was learnt is nowhere to be seen, although the robot has looked round: it stands on another
+/// floor, or the light has changed. One that is still seen anywhere is not lost: then something stands in the
+/// way.
+bool FloorMemory::is_lost(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
+                          const std::vector<ColumnResult>& results, const Place& place) {
+  std::size_t blind = 0;
+  for (const ColumnResult& result : results) blind += result.end == ColumnResult::End::not_floor_below;
+  int known = 0;
+  int seen = 0;
+  if (blind * 10 >= results.size() * 9) {
+    for (std::size_t i = 1; i < spans.size(); i += 4) {
+      for (int row = spans[i].bottom_row; row > spans[i].horizon_row; row -= 8) {
+        known += looks_.knows(grid.look(static_cast<int>(i), row));
+        ++seen;
+      }
+    }
+  }
+  if (seen == 0 || known * 33 > seen) {
+    lost_pictures_ = 0;
+    return false;
+  }
+  if (lost_pictures_++ == 0) lost_since_ = place;
+  return lost_pictures_ > kLostPictures && moved(place.X_OR, lost_since_.X_OR, kLostMove_m, kLostTurn_rad);
+}
+
+}  // namespace mirada::vision

@@ -1,0 +1,49 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "model/geometry.h"
+#include "vision/column_scan.h"
+#include "vision/floor_looks.h"
+#include "vision/floor_study.h"
+#include "vision/picture_grid.h"
+
+namespace mirada::vision {
+
+/// What is known of the floor's look from one picture to the next, when it may be learnt and when it is lost.
+class FloorMemory {
+ public:
+  void forget();
+
+  /// Scans every column of a picture and learns from it. False: this picture cannot be used or no floor is
+  /// known that could be trusted; `results` mean nothing then.
+  bool scan(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const std::vector<double>& depth_m,
+            const ScanSettings& settings, const Pose2& X_OR, const NeckAngles& neck,
+            std::vector<ColumnResult>& results);
+
+ private:
+  struct Place {
+    Pose2 X_OR;
+    NeckAngles neck;
+  };
+  bool is_frozen(const PictureGrid& grid, const Place& place);
+  void scan_columns(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, ColumnScan& scan,
+                    std::vector<ColumnResult>& results) const;
+  void learn(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
+             const std::vector<double>& depth_m, const std::vector<ColumnResult>& results);
+  bool is_lost(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
+               const std::vector<ColumnResult>& results, const Place& place);
+
+  FloorLooks looks_;
+  FloorStudy study_;
+  FloorTexture texture_;
+  Look home_;  ///< the look at the picture's foot, followed
+  bool trusted_ = false;
+  int pictures_since_fade_ = 0;
+  int lost_pictures_ = 0;
+  Place lost_since_;
+  std::uint64_t fingerprint_ = 0;
+  std::optional<Place> last_place_;
+};
+
+}  // namespace mirada::vision

@@ -1,0 +1,93 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include <Eigen/Core>
+#include <opencv2/core.hpp>
+
+#include "model/camera_model.h"
+
+namespace mirada::vision {
+
+/// A place's look: brightness and two colour ratios, all logarithmic (about 46 units a doubling), so that
+/// light and shade move only the brightness. red and blue are against green and 128 means equal.
+struct Look {
+  int light = 0;
+  int red = 128;
+  int blue = 128;
+};
+
+/// A picture seen as a grid of about 80 columns and 240 rows, whatever its size: each cell is the mean of
+/// four pixels side by side. Looks are worked out when asked for; nothing is allocated after the first
+/// picture of a size.
+class PictureGrid {
+ public:
+  /// Prepares for pictures of this camera's size: one ray a cell.
+  void resize(const CameraModel& camera);
+  /// The picture to look at; it must live until the next call, be CV_8UC3 and of the prepared size.
+  void look_at(const cv::Mat& bgr) { bgr_ = bgr; }
+
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  /// Middle of a grid column or row in source pixels; rows may be fractional.
+  double u_px(int column) const { return (column + 0.5) * pixels_across_ - 0.5; }
+  double v_px(double row) const { return (row + 0.5) * pixels_down_ - 0.5; }
+  double pixels_down() const { return pixels_down_; }
+
+  /// The ray (z = 1, camera frame) of a cell, rows interpolated; NaN where the lens sees nothing.
+  Eigen::Vector3d ray_C(int column, double row) const;
+  bool sees(int column, int row) const { return rays_[index(column, row)].z() > 0; }
+
+  Look look(int column, int row) const;
+  /// Mean B, G, R of the cell, 0..255.
+  std::array<int, 3> colour(int column, int row) const;
+  /// Changes when any sampled pixel does: to notice a camera that repeats itself.
+  std::uint64_t fingerprint() const;
+
+ private:
+  struct Sums {
+    unsigned blue, green, red;  ///< of four pixels
+  };
+  Sums sums(int column, int row) const;
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(column) * static_cast<std::size_t>(rows_) + static_cast<std::size_t>(row);
+  }
+
+  cv::Mat bgr_;
+  int columns_ = 0;
+  int rows_ = 0;
+  int pixels_across_ = 4;
+  int pixels_down_ = 1;
+  int tap_offset_[4] = {0, 3, 6, 9};      ///< bytes from a cell's first pixel to its four samples
+  std::vector<Eigen::Vector3f> rays_;     ///< column by column, bottom row last
+  std::array<std::uint8_t, 1021> log_{};  ///< of a sum of four
+};
+
+inline PictureGrid::Sums PictureGrid::sums(int column, int row) const {
+  const std::uint8_t* at = bgr_.ptr(row * pixels_down_ + pixels_down_ / 2) +
+                           3 * static_cast<std::ptrdiff_t>(column) * pixels_across_;
+  std::uint32_t blue_red = 0;  // two sums side by side
+  std::uint32_t green = 0;
+  for (const int offset : tap_offset_) {
+    blue_red += at[offset] | static_cast<std::uint32_t>(at[offset + 2]) << 16;
+    green += at[offset + 1];
+  }
+  return {blue_red & 0xffff, green, blue_red >> 16};
+}
+
+inline Look PictureGrid::look(int column, int row) const {
+  const Sums s = sums(column, row);
+  const int b = log_[s.blue];
+  const int g = log_[s.green];
+  const int r = log_[s.red];
+  return {(r + 2 * g + b) >> 2, r - g + 128, b - g + 128};
+}
+
+inline std::array<int, 3> PictureGrid::colour(int column, int row) const {
+  const Sums s = sums(column, row);
+  return {static_cast<int>(s.blue >> 2), static_cast<int>(s.green >> 2), static_cast<int>(s.red >> 2)};
+}
+
+}  // namespace mirada::vision

@@ -1,0 +1,163 @@
+#include "vision/polar_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mirada::vision {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kJumpShare =
+    0.12;  // neighbours farther apart than this share of their distance are two things
+constexpr double kJump_m = 0.015;
+constexpr double kLongestBlind_m =
+    0.5;  // farther than this without a look at the floor, "clear" would be a guess
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// How far along the unit vector `ray` from the origin the segment a-b is crossed; NaN when it is not.
+double crossing_m(const Vector2d& ray, const Vector2d& a, const Vector2d& b) {
+  const Vector2d along = b - a;
+  const double slant = cross(ray, along);
+  if (std::abs(slant) < 1e-12) return kNan;
+  const double share = cross(a, ray) / slant;
+  const double distance_m = cross(a, along) / slant;
+  return share >= 0 && share <= 1 && distance_m > 0 ? distance_m : kNan;
+}
+
+bool is_place(Answer answer) { return answer == Answer::blocked || answer == Answer::clear; }
+
+class Sweep {
+ public:
+  Sweep(const std::vector<ColumnEnd>& columns, double heading_rad, double sigma_heading_rad,
+        std::vector<SonarReading>& out)
+      : columns_(columns), heading_rad_(heading_rad), sigma_heading_rad_(sigma_heading_rad), out_(out) {}
+
+  void prepare(double half_view_rad);
+  void between(const ColumnEnd& left, const ColumnEnd& right);
+  void side(const ColumnEnd& edge);
+
+ private:
+  double relative_rad(const Vector2d& p) const { return wrap_rad(std::atan2(p.y(), p.x()) - heading_rad_); }
+  void offer(SonarReading& reading, Answer answer, double distance_m, double sigma_m);
+  void cross_one(SonarReading& reading, const ColumnEnd& left, const ColumnEnd& right);
+  /// Calls back for every reading whose bearing lies between the two, heading-relative.
+  template <class F>
+  void for_bearings(double from_rad, double to_rad, F&& f);
+
+  const std::vector<ColumnEnd>& columns_;
+  double heading_rad_;
+  double sigma_heading_rad_;
+  std::vector<SonarReading>& out_;
+  double first_rad_ = 0;  ///< heading-relative bearing of out_[0]
+};
+
+void Sweep::prepare(double half_view_rad) {
+  out_.clear();
+  const double first = std::ceil(deg(heading_rad_ - half_view_rad) - 1e-9);
+  const double last = std::floor(deg(heading_rad_ + half_view_rad) + 1e-9);
+  first_rad_ = rad(first) - heading_rad_;
+  for (double bearing_deg = first; bearing_deg <= last; ++bearing_deg) {
+    out_.push_back({wrap_rad(rad(bearing_deg)), Answer::not_seen, kNan, kNan});
+  }
+}
+
+template <class F>
+void Sweep::for_bearings(double from_rad, double to_rad, F&& f) {
+  const double low = std::min(from_rad, to_rad);
+  const double high = std::max(from_rad, to_rad);
+  if (high - low > 1.5) return;  // a place beside or behind the lens: no sensible order of bearings
+  const int begin = std::max(0, static_cast<int>(std::ceil(deg(low - first_rad_) - 1e-9)));
+  const int end = std::min(static_cast<int>(out_.size()) - 1,
+                           static_cast<int>(std::floor(deg(high - first_rad_) + 1e-9)));
+  for (int i = begin; i <= end; ++i) f(out_[static_cast<std::size_t>(i)]);
+}
+
+void Sweep::offer(SonarReading& reading, Answer answer, double distance_m, double sigma_m) {
+  if (is_place(answer) && is_place(reading.answer)) {
+    if (distance_m >= reading.distance_m) return;
+  } else if (is_place(reading.answer)) {
+    // Somewhere along a clear bearing something could not be judged: then it is not clear.
+    if (reading.answer == Answer::blocked) return;
+  } else if (answer == Answer::clear && reading.answer != Answer::not_seen) {
+    return;
+  }
+  reading.answer = answer;
+  reading.distance_m = is_place(answer) ? distance_m : kNan;
+  reading.sigma_m = is_place(answer) ? sigma_m : kNan;
+}
+
+void Sweep::cross_one(SonarReading& reading, const ColumnEnd& left, const ColumnEnd& right) {
+  const bool both = is_place(left.answer) && is_place(right.answer);
+  if (!both) {
+    const ColumnEnd& known = is_place(left.answer) ? left : right;
+    const ColumnEnd& other = is_place(left.answer) ? right : left;
+    if (known.answer == Answer::blocked) {
+      offer(reading, Answer::blocked, known.end_R_m.norm(), known.sigma_m);
+    } else {
+      offer(reading, other.answer, 0, 0);
+    }
+    return;
+  }
+  const double left_m = left.end_R_m.norm();
+  const double right_m = right.end_R_m.norm();
+  const ColumnEnd& nearer = left_m < right_m ? left : right;
+  const double gap_m = std::abs(left_m - right_m);
+  if (left.answer != right.answer || gap_m > kJump_m + kJumpShare * std::min(left_m, right_m)) {
+    const ColumnEnd& kept = left.answer == right.answer      ? nearer
+                            : left.answer == Answer::blocked ? left
+                                                             : right;
+    offer(reading, kept.answer, kept.end_R_m.norm(), kept.sigma_m);
+    return;
+  }
+  const Vector2d ray(std::cos(reading.bearing_rad), std::sin(reading.bearing_rad));
+  double distance_m = crossing_m(ray, left.end_R_m, right.end_R_m);
+  if (std::isnan(distance_m)) distance_m = nearer.end_R_m.norm();
+  const double turn_rad = std::abs(relative_rad(left.end_R_m) - relative_rad(right.end_R_m));
+  const double slope_m = turn_rad > 1e-4 ? gap_m / turn_rad * sigma_heading_rad_ : 0;
+  offer(reading, left.answer, distance_m, std::hypot(std::max(left.sigma_m, right.sigma_m), slope_m));
+}
+
+void Sweep::between(const ColumnEnd& left, const ColumnEnd& right) {
+  for_bearings(relative_rad(left.end_R_m), relative_rad(right.end_R_m),
+               [&](SonarReading& reading) { cross_one(reading, left, right); });
+}
+
+/// The picture's side: bearings that come in through its foot leave there (clear so far); others only come in
+/// there, and what is nearer was not seen.
+void Sweep::side(const ColumnEnd& edge) {
+  if (!is_place(edge.answer)) return;
+  const double low =
+      std::min(relative_rad(columns_.front().foot_R_m), relative_rad(columns_.back().foot_R_m));
+  const double high =
+      std::max(relative_rad(columns_.front().foot_R_m), relative_rad(columns_.back().foot_R_m));
+  for_bearings(relative_rad(edge.foot_R_m), relative_rad(edge.end_R_m), [&](SonarReading& reading) {
+    const Vector2d ray(std::cos(reading.bearing_rad), std::sin(reading.bearing_rad));
+    const double side_m = crossing_m(ray, edge.foot_R_m, edge.end_R_m);
+    if (std::isnan(side_m)) return;
+    const double relative = wrap_rad(reading.bearing_rad - heading_rad_);
+    if (relative >= low - 1e-9 && relative <= high + 1e-9) {
+      offer(reading, Answer::clear, side_m, edge.sigma_m);
+    } else if (side_m > kLongestBlind_m && reading.answer == Answer::clear) {
+      reading.answer = Answer::not_seen;
+      reading.distance_m = reading.sigma_m = kNan;
+    }
+  });
+}
+
+}  // namespace
+
+void sweep(const std::vector<ColumnEnd>& columns, double heading_rad, double half_view_rad,
+           double sigma_heading_rad, std::vector<SonarReading>& out) {
+  Sweep work(columns, heading_rad, sigma_heading_rad, out);
+  work.prepare(half_view_rad);
+  if (columns.empty()) return;
+  for (std::size_t i = 0; i + 1 < columns.size(); ++i) work.between(columns[i], columns[i + 1]);
+  work.side(columns.front());
+  work.side(columns.back());
+}
+
+}  // namespace mirada::vision

@@ -1,0 +1,168 @@
+#include "vision/visual_sonar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "vision/column_scan.h"
+#include "vision/fixed_colour.h"
+#include "vision/floor_looks.h"
+#include "vision/floor_memory.h"
+#include "vision/ground_projection.h"
+#include "vision/picture_grid.h"
+#include "vision/polar_sweep.h"
+
+namespace mirada::vision {
+namespace {
+
+bool same_aspect(const cv::Mat& bgr, const CameraModel& camera) {
+  const double wanted = static_cast<double>(camera.width_px) / camera.height_px;
+  const double given = static_cast<double>(bgr.cols) / bgr.rows;
+  return std::abs(given / wanted - 1) < 0.01;
+}
+
+}  // namespace
+
+struct VisualSonar::Impl {
+  Impl(const RobotConfig& config, const SonarSettings& wanted) : robot(config), settings(wanted) {}
+
+  bool prepare_size(const cv::Mat& bgr);
+  void prepare_neck(const NeckAngles& neck);
+  bool scan_all(const Pose2& X_OR, const NeckAngles& neck);
+  void to_floor(std::size_t column);
+  void fill(SonarPercept& percept, const NeckAngles& neck);
+
+  RobotConfig robot;
+  SonarSettings settings;
+  CameraModel camera;  ///< at the picture's size
+  PictureGrid grid;
+  FloorMemory memory;
+  std::optional<GroundProjection> ground;
+  NeckAngles prepared_neck;
+  std::vector<double> depth_m;  ///< ahead of the lens, for every grid row of the middle column
+  std::vector<ColumnSpan> spans;
+  std::vector<ColumnResult> results;
+  std::vector<ColumnEnd> ends;
+};
+
+VisualSonar::VisualSonar(const RobotConfig& robot, const SonarSettings& settings)
+    : impl_(std::make_unique<Impl>(robot, settings)) {}
+VisualSonar::~VisualSonar() = default;
+
+void VisualSonar::forget() { impl_->memory.forget(); }
+
+bool VisualSonar::Impl::prepare_size(const cv::Mat& bgr) {
+  constexpr int kSmallest_px = 32;
+  if (bgr.empty() || bgr.type() != CV_8UC3 || std::min(bgr.cols, bgr.rows) < kSmallest_px) return false;
+  if (!same_aspect(bgr, robot.camera)) return false;
+  if (ground && bgr.cols == camera.width_px && bgr.rows == camera.height_px) return true;
+  camera = robot.camera.scaled_to(bgr.cols, bgr.rows);
+  grid.resize(camera);
+  spans.resize(static_cast<std::size_t>(grid.columns()));
+  results.resize(spans.size());
+  ends.resize(spans.size());
+  depth_m.resize(static_cast<std::size_t>(grid.rows()));
+  ground.reset();
+  return true;
+}
+
+void VisualSonar::Impl::prepare_neck(const NeckAngles& neck) {
+  const bool same_tilt = ground && std::abs(neck.tilt_rad - prepared_neck.tilt_rad) < 1e-6;
+  if (same_tilt && neck.pan_rad == prepared_neck.pan_rad) return;
+  ground.emplace(robot, camera, neck);
+  prepared_neck = neck;
+  if (same_tilt) return;  // how far a row looks does not depend on pan
+  const Eigen::Vector2d lens = ground->X_RC().translation().head<2>();
+  const Eigen::Vector2d ahead = ground->X_RC().linear().col(2).head<2>().normalized();
+  for (int row = 0; row < grid.rows(); ++row) {
+    const Eigen::Vector3d ray = grid.ray_C(grid.columns() / 2, row);
+    const auto p = ground->floor_point_of_ray(ray);
+    depth_m[static_cast<std::size_t>(row)] = p ? std::min(1e3, (*p - lens).dot(ahead)) : 1e3;
+  }
+  for (int column = 0; column < grid.columns(); ++column) {
+    ColumnSpan& span = spans[static_cast<std::size_t>(column)];
+    span.bottom_row = grid.rows() - 1;
+    while (span.bottom_row >= 0 && !grid.sees(column, span.bottom_row)) --span.bottom_row;
+    span.horizon_row = span.bottom_row;
+    while (span.horizon_row >= 0 && grid.sees(column, span.horizon_row) &&
+           ground->drop(grid.ray_C(column, span.horizon_row)) > 1e-4) {
+      --span.horizon_row;
+    }
+  }
+}
+
+bool VisualSonar::Impl::scan_all(const Pose2& X_OR, const NeckAngles& neck) {
+  if (settings.floor == SonarSettings::Floor::fixed_colour) {
+    for (int column = 0; column < grid.columns(); ++column) {
+      const auto i = static_cast<std::size_t>(column);
+      results[i] = scan_fixed_colour(grid, column, spans[i], settings);
+    }
+    return true;
+  }
+  const ScanSettings scan{settings.lines_are_obstacles, ground->height_m()};
+  return memory.scan(grid, spans, depth_m, scan, X_OR, neck, results);
+}
+
+/// What a column found, as an answer about places on the floor.
+void VisualSonar::Impl::to_floor(std::size_t i) {
+  using End = ColumnResult::End;
+  const int column = static_cast<int>(i);
+  const ColumnResult& found = results[i];
+  ColumnEnd& out = ends[i];
+  out = {};
+  if (spans[i].bottom_row < 0) return;
+  const Eigen::Vector3d axis_R =
+      ground->X_RC().linear() * grid.ray_C(column, std::max(0, spans[i].horizon_row));
+  const Eigen::Vector2d lens = ground->X_RC().translation().head<2>();
+  const Eigen::Vector2d away = axis_R.head<2>().normalized();
+  out.end_R_m = lens + settings.range_m * away;
+  if (found.end == End::above_horizon) out.answer = Answer::above_horizon;
+  const auto foot = ground->floor_point_of_ray(grid.ray_C(column, spans[i].bottom_row + 0.5));
+  if (!foot || found.end == End::nothing || found.end == End::above_horizon) return;
+  out.foot_R_m = *foot;
+  if (found.end == End::through_horizon) return;
+  const auto end = ground->floor_point_of_ray(grid.ray_C(column, found.row));
+  const bool in_range = end && (*end - lens).norm() <= settings.range_m;
+  const bool seen_to_edge = found.end == End::floor_to_top;
+  out.answer = in_range && !seen_to_edge ? Answer::blocked : Answer::clear;
+  if (in_range) out.end_R_m = *end;
+  const double tilt_rad = std::asin(-ground->X_RC().linear()(2, 2));
+  out.sigma_m = ground_sigma_m((out.end_R_m - lens).norm(), ground->height_m(), tilt_rad, camera.fy_px,
+                               found.sigma_row * grid.pixels_down(), robot.mount);
+}
+
+void VisualSonar::Impl::fill(SonarPercept& percept, const NeckAngles& neck) {
+  percept.boundary.reserve(ends.size());
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    to_floor(i);
+    const double row = results[i].end == ColumnResult::End::nothing ? spans[i].bottom_row : results[i].row;
+    percept.boundary.push_back({static_cast<float>(grid.u_px(static_cast<int>(i))),
+                                static_cast<float>(grid.v_px(row)), ends[i].answer});
+  }
+  percept.readings.reserve(static_cast<std::size_t>(deg(camera.hfov_rad())) + 2);
+  sweep(ends, neck.pan_rad + robot.mount.yaw_rad, camera.hfov_rad() / 2, robot.mount.sigma_pan_rad,
+        percept.readings);
+}
+
+SonarPercept VisualSonar::look(const Frame& frame, const NeckAngles& neck, const Pose2& X_OR) {
+  SonarPercept percept;
+  percept.frame = frame.number;
+  percept.t_exposure = frame.t_exposure;
+  percept.neck = neck;
+  percept.X_OR = X_OR;
+  Impl& impl = *impl_;
+  const RobotConfig& robot = impl.robot;
+  const bool usable = impl.prepare_size(frame.bgr);
+  if (usable) {
+    impl.prepare_neck(neck);
+    impl.grid.look_at(frame.bgr);
+    percept.floor_model_trusted = impl.scan_all(X_OR, neck);
+    if (percept.floor_model_trusted) impl.fill(percept, neck);
+  }
+  if (!percept.floor_model_trusted) {
+    sweep({}, neck.pan_rad + robot.mount.yaw_rad, robot.camera.hfov_rad() / 2, 0, percept.readings);
+  }
+  return percept;
+}
+
+}  // namespace mirada::vision
