@@ -15,43 +15,53 @@ namespace mirada::session {
 enum class RunState { idle, running, paused };
 
 /// Why nothing runs any more; the editor says it in words.
-enum class StopReason { none, stop_button, program_ended, owner_lost, camera_lost, stuck, put_back, replaced, faulted };
+enum class StopReason {
+  none,
+  stop_button,
+  program_ended,
+  owner_lost,
+  camera_lost,
+  stuck,
+  put_back,
+  replaced,
+  faulted
+};
 const char* to_string(RunState state);
 const char* to_string(StopReason reason);
 
 struct SaidText {
-    Micros t = 0;
-    std::string text;
+  Micros t = 0;
+  std::string text;
 };
 
 /// All that a viewer may see of a session at one moment. Immutable once published.
 struct Telemetry {
-    Micros t = 0;                ///< the robot's clock
-    std::uint64_t run = 0;       ///< counts the starts
-    RunState state = RunState::idle;
-    StopReason stop_reason = StopReason::none;
-    std::vector<std::string> running_blocks;
-    std::map<std::string, vm::MonitorValue> variables;
-    std::map<std::string, std::vector<vm::MonitorValue>> lists;
-    std::string say;                        ///< the bubble now; "" = none
-    std::vector<SaidText> say_log;          ///< the newest 100 of this run
-    std::vector<vm::BlockFault> faults;     ///< of this run, the newest 100
-    std::shared_ptr<const Percepts> percepts;
-    Pose2 X_OR;                             ///< odometry
-    NeckAngles neck;
-    double left_mps = 0, right_mps = 0;     ///< commanded
-    std::string camera_trouble_code;        ///< "" when pictures come
-    std::string scene_json;                 ///< room from above, filled by rig; "" on a real robot
-    std::uint64_t block_executions = 0;
+  Micros t = 0;           ///< the robot's clock
+  std::uint64_t run = 0;  ///< counts the starts
+  RunState state = RunState::idle;
+  StopReason stop_reason = StopReason::none;
+  std::vector<std::string> running_blocks;
+  std::map<std::string, vm::MonitorValue> variables;
+  std::map<std::string, std::vector<vm::MonitorValue>> lists;
+  std::string say;                     ///< the bubble now; "" = none
+  std::vector<SaidText> say_log;       ///< the newest 100 of this run
+  std::vector<vm::BlockFault> faults;  ///< of this run, the newest 100
+  std::shared_ptr<const Percepts> percepts;
+  Pose2 X_OR;  ///< odometry
+  NeckAngles neck;
+  double left_mps = 0, right_mps = 0;  ///< commanded
+  std::string camera_trouble_code;     ///< "" when pictures come
+  std::string scene_json;              ///< room from above, filled by rig; "" on a real robot
+  std::uint64_t block_executions = 0;
 };
 
 /// The newest picture, ready to send.
 struct Picture {
-    std::uint64_t frame = 0;
-    Micros t_exposure = 0;
-    int width_px = 0;
-    int height_px = 0;
-    std::string jpeg;
+  std::uint64_t frame = 0;
+  Micros t_exposure = 0;
+  int width_px = 0;
+  int height_px = 0;
+  std::string jpeg;
 };
 
 }  // namespace mirada::session
