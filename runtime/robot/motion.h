@@ -34,6 +34,7 @@ class Motion {
   /// The run that may move from now on (0: none may). Ends what was going on.
   void begin_run(Safety::Epoch epoch);
   bool may_move() const { return epoch_ != 0 && safety_->armed(); }
+  Safety::Epoch run() const { return epoch_; }
 
   MotionTicket drive(double distance_m, MotionOwner owner);  ///< positive forward
   MotionTicket turn(double angle_rad, MotionOwner owner);    ///< positive left

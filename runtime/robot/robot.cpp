@@ -6,11 +6,11 @@ constexpr std::size_t kMostNotes = 100;
 }
 
 Robot::Robot(RobotConfig config, const Devices& devices, Detectors detectors, Timing timing,
-             const Clock& clock)
+             const Clock& clock, const Clock& guard)
     : config_(std::move(config)),
       devices_(devices),
       clock_(&clock),
-      safety_(devices.drive, config_.drive, clock),
+      safety_(devices.drive, config_.drive, guard),
       motion_(config_.drive, safety_),
       gaze_(devices.neck, config_.neck),
       perception_(devices.camera, std::move(detectors), config_.latency, timing) {}
@@ -18,7 +18,7 @@ Robot::Robot(RobotConfig config, const Devices& devices, Detectors detectors, Ti
 void Robot::observe() {
   if (devices_.drive != nullptr) odometry_ = devices_.drive->odometry();
   history_.record(now(), {odometry_.X_OR, gaze_.state(now()).angles});
-  if (perception_.step(now(), history_)) safety_.frame_seen(perception_.frame().t_exposure);
+  if (perception_.step(now(), history_)) safety_.frame_seen(now() - perception_.frame().t_exposure);
 }
 
 Safety::Verdict Robot::act() { return motion_.step(now(), odometry_); }

@@ -24,10 +24,13 @@ struct Note {
   Fault fault;
 };
 
-/// All that a program may touch of a robot. Control thread, except safety().stop() and safety().check().
+/// All that a program may touch of a robot. Control thread, but for what Safety allows elsewhere.
 class Robot {
  public:
-  Robot(RobotConfig config, const Devices& devices, Detectors detectors, Timing timing, const Clock& clock);
+  /// `clock` is the robot's; `guard` is safety's, which must go on whatever the control thread does
+  /// (lockstep: the same).
+  Robot(RobotConfig config, const Devices& devices, Detectors detectors, Timing timing, const Clock& clock,
+        const Clock& guard);
 
   /// Every world step (10 ms): where am I, what is there to be seen.
   void observe();
