@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/camera_file.h"
 #include "model/messages.h"
 #include "model/robot_sections.h"
 
@@ -10,6 +11,8 @@ namespace {
 
 constexpr double kMinFocal_px = 10;
 constexpr double kMaxFocal_px = 20'000;
+/// How far width : height may differ between two sizes of one picture.
+constexpr double kSameAspect = 0.01;
 
 double focal_from_view(double view_rad, int size_px) { return size_px / (2 * std::tan(view_rad / 2)); }
 
@@ -54,17 +57,60 @@ void check_edges(JsonReader& json, const CameraModel& camera) {
   for (const Eigen::Vector2d& pixel : middles) {
     if (camera.unproject(pixel)) continue;
     const std::string text = number_text(pixel.x(), 0) + ", " + number_text(pixel.y(), 0);
-    json.fault("distortion", messages::camera_distortion_folds, {{"pixel", text}});
+    json.fault("distortion", messages::camera_distortion_folds, {{"corner", text}});
     return;
   }
 }
 
+constexpr const char* kLensFields[] = {"vfov_deg", "fx_px", "fy_px", "cx_px", "cy_px", "lens", "distortion"};
+
+std::string size_text(int width_px, int height_px) {
+  return std::to_string(width_px) + "x" + std::to_string(height_px);
+}
+
+/// What robot.json says of the camera beside the calibration must belong to the same camera.
+void check_same_camera(JsonReader& json, const CameraModel& measured) {
+  for (const char* field : kLensFields) {
+    if (json.has(field)) json.fault(field, messages::camera_said_twice);
+  }
+  const std::string name = json.text_or("name", measured.name);
+  if (!measured.name.empty() && name != measured.name) {
+    json.fault("calibration", messages::camera_file_other_camera,
+               {{"theirs", measured.name}, {"ours", name}});
+  }
+  if (!json.has("hfov_deg")) return;
+  const double hfov_deg = json.number("hfov_deg", 1, 175);
+  const double seen_deg = deg(measured.hfov_rad());
+  if (hfov_deg > 0 && std::abs(seen_deg - hfov_deg) > 0.05 * hfov_deg) {
+    json.fault("calibration", messages::camera_file_other_view,
+               {{"value", number_text(hfov_deg, 1)}, {"seen", number_text(seen_deg, 1)}});
+  }
+}
+
+void take_calibration(JsonReader& json, const std::filesystem::path& folder, CameraModel& camera,
+                      Faults& file_faults) {
+  const std::string file = json.text("calibration");
+  if (file.empty()) return;
+  auto measured = load_camera_file(folder / file, &file_faults);
+  if (!measured) {
+    file_faults.insert(file_faults.end(), measured.faults().begin(), measured.faults().end());
+    return;
+  }
+  check_same_camera(json, *measured);
+  const int width_px = static_cast<int>(json.number_or("width_px", 16, 10'000, measured->width_px));
+  const int height_px = static_cast<int>(json.number_or("height_px", 16, 10'000, measured->height_px));
+  const double aspect = static_cast<double>(width_px) * measured->height_px / height_px / measured->width_px;
+  if (std::abs(aspect - 1) > kSameAspect) {
+    json.fault("calibration", messages::camera_file_other_size,
+               {{"theirs", size_text(measured->width_px, measured->height_px)},
+                {"ours", size_text(width_px, height_px)}});
+  }
+  camera = measured->scaled_to(width_px, height_px);
+}
+
 }  // namespace
 
-void read_camera(JsonReader& json, RobotConfig& robot) {
-  json.only({"name", "width_px", "height_px", "hfov_deg", "vfov_deg", "fx_px", "fy_px", "cx_px", "cy_px",
-             "lens", "distortion", "fps"});
-  CameraModel& camera = robot.camera;
+void read_camera_model(JsonReader& json, CameraModel& camera) {
   camera.name = json.text_or("name", "");
   camera.width_px = static_cast<int>(json.number_or("width_px", 16, 10'000, 320));
   camera.height_px = static_cast<int>(json.number_or("height_px", 16, 10'000, 240));
@@ -75,6 +121,17 @@ void read_camera(JsonReader& json, RobotConfig& robot) {
   camera.cy_px = json.number_or("cy_px", 0, h - 1, (h - 1) / 2);
   read_lens(json, camera);
   check_edges(json, camera);
+}
+
+void read_camera(JsonReader& json, const std::filesystem::path& folder, RobotConfig& robot,
+                 Faults& file_faults) {
+  json.only({"name", "width_px", "height_px", "hfov_deg", "vfov_deg", "fx_px", "fy_px", "cx_px", "cy_px",
+             "lens", "distortion", "calibration", "fps"});
+  if (json.has("calibration")) {
+    take_calibration(json, folder, robot.camera, file_faults);
+  } else {
+    read_camera_model(json, robot.camera);
+  }
   robot.camera_fps = json.number_or("fps", 1, 240, robot.camera_fps);
 }
 

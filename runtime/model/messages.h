@@ -42,5 +42,29 @@ inline constexpr Message camera_underground{
     "camera_underground",
     "{field}: with the neck at {tilt_deg} degrees of tilt the lens would be {height_m} m high.",
     "{field}: con el cuello a {tilt_deg} grados de inclinación la lente quedaría a {height_m} m de altura."};
+inline constexpr Message camera_said_twice{"camera_said_twice",
+                                           "{field} is already in the calibration. Take it out here.",
+                                           "{field} ya está en la calibración. Quítalo de aquí."};
+inline constexpr Message camera_file_other_camera{
+    "camera_file_other_camera",
+    "{field} was made with the camera \"{theirs}\", but this robot has \"{ours}\". Calibrate this camera.",
+    "{field} se hizo con la cámara \"{theirs}\", pero este robot lleva \"{ours}\". Calibra esta cámara."};
+inline constexpr Message camera_file_other_view{
+    "camera_file_other_view",
+    "{field} is of a camera that sees {seen} degrees, but hfov_deg is {value}. Calibrate this camera.",
+    "{field} es de una cámara que abarca {seen} grados, pero hfov_deg es {value}. Calibra esta cámara."};
+inline constexpr Message camera_file_other_size{
+    "camera_file_other_size",
+    "{field} was made with {theirs} pictures; {ours} has another shape. Calibrate at the size that you use.",
+    "{field} se hizo con imágenes de {theirs}; {ours} tiene otra forma. Calibra con el tamaño que uses."};
+inline constexpr Message camera_file_wrong_format{
+    "camera_file_wrong_format", "{field} must be \"mirada-camera\", not {value}. Is this a camera.json?",
+    "{field} debe ser \"mirada-camera\", no {value}. ¿Es un camera.json?"};
+inline constexpr Message preset_unknown{"preset_unknown",
+                                        "I don't know the camera {camera}. Choose {known}, or leave it out.",
+                                        "No conozco la cámara {camera}. Elige {known}, o no la digas."};
+inline constexpr Message preset_modes_missing{"preset_modes_missing",
+                                              "{field} must list at least one picture mode.",
+                                              "{field} debe tener al menos un modo de imagen."};
 
 }  // namespace mirada::messages

@@ -58,6 +58,7 @@ Result<RobotConfig> read_robot(std::string_view json_text, const std::string& fi
   auto parsed = parse_json(json_text, file_name);
   if (!parsed) return parsed.faults();
   Faults faults;
+  Faults file_faults;
   RobotConfig robot;
   JsonReader json(*parsed, "", faults);
   if (parsed->is_object()) {
@@ -65,12 +66,13 @@ Result<RobotConfig> read_robot(std::string_view json_text, const std::string& fi
                "mount", "latency"});
     read_head(json, file_name, robot);
     JsonReader camera = json.object("camera");
-    read_camera(camera, robot);
+    read_camera(camera, fs::path(file_name).parent_path(), robot, file_faults);
     read_body(json, robot);
     read_chain(json, robot);
     if (auto latency = json.object_if_present("latency")) read_latency(*latency, robot.latency);
   }
   name_file(faults, file_name);
+  faults.insert(faults.end(), file_faults.begin(), file_faults.end());
   if (has_errors(faults)) return faults;
   if (warnings) warnings->insert(warnings->end(), faults.begin(), faults.end());
   return robot;
