@@ -5,8 +5,10 @@ namespace mirada {
 
 /// Each adds one subcommand to the program; its callback sets `exit_code`. One source file a subcommand.
 struct Commands {
-    CLI::App& app;
-    int exit_code = 0;
+  CLI::App& app;
+  int exit_code = 0;
 };
+
+void add_see(Commands& commands);
 
 }  // namespace mirada

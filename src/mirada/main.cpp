@@ -3,9 +3,10 @@
 #include "commands.h"
 
 int main(int argc, char** argv) {
-    CLI::App app{"Mirada: blocks that see. Each subcommand has its own --help."};
-    app.require_subcommand(1);
-    mirada::Commands commands{app};
-    CLI11_PARSE(app, argc, argv);
-    return commands.exit_code;
+  CLI::App app{"Mirada: blocks that see. Each subcommand has its own --help."};
+  app.require_subcommand(1);
+  mirada::Commands commands{app};
+  mirada::add_see(commands);
+  CLI11_PARSE(app, argc, argv);
+  return commands.exit_code;
 }
