@@ -103,7 +103,7 @@ bool write_overlay(const std::string& file, const cv::Mat& bgr, const SeenPictur
 int refuse(const Faults& faults, const SeeOptions& options) {
   if (options.json)
     fmt::print("{}\n", fault_report(faults).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
-  fmt::print(stderr, "{}", to_text(faults, *lang_from(options.lang)));
+  fmt::print(stderr, "{}\n", to_text(faults, *lang_from(options.lang)));
   return kBadInput;
 }
 
@@ -145,7 +145,7 @@ int look_at_all(SeeJob& job, const SeeOptions& options) {
 int see(const SeeOptions& options) {
   auto job = open_job(options);
   if (!job) return refuse(job.faults(), options);
-  if (!job->warnings.empty()) fmt::print(stderr, "{}", to_text(job->warnings, *lang_from(options.lang)));
+  if (!job->warnings.empty()) fmt::print(stderr, "{}\n", to_text(job->warnings, *lang_from(options.lang)));
   return look_at_all(*job, options);
 }
 
