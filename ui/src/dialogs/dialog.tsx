@@ -1,0 +1,73 @@
+import { signal } from '@preact/signals';
+import * as Blockly from 'blockly/core';
+import type { ComponentChildren, VNode } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
+import { t } from '../messages';
+
+/** The one dialog that is open, or null. */
+export const openDialog = signal<VNode | null>(null);
+
+export function closeDialog(): void {
+  openDialog.value = null;
+}
+
+function holdFocus(element: HTMLElement): () => void {
+  try {
+    return Blockly.getFocusManager().takeEphemeralFocus(element);
+  } catch {
+    // A menu of Blockly that is still closing holds it; the page's own modal focus is enough then.
+    return () => undefined;
+  }
+}
+
+interface Props {
+  title: string;
+  wide?: boolean;
+  onClose?: () => void;
+  children: ComponentChildren;
+}
+
+/** A modal window with a title; Escape, the cross and a press outside close it. */
+export function Dialog({ title, wide, onClose, children }: Props) {
+  const ref = useRef<HTMLDialogElement>(null);
+  const close = () => {
+    closeDialog();
+    onClose?.();
+  };
+  useEffect(() => {
+    const element = ref.current!;
+    const release = holdFocus(element);
+    element.showModal();
+    element.querySelector<HTMLElement>('[data-first]')?.focus();
+    return () => {
+      element.close();
+      release();
+    };
+  }, []);
+  return (
+    <dialog
+      ref={ref}
+      class={wide ? 'dialog wide' : 'dialog'}
+      aria-label={title}
+      onCancel={(event) => {
+        event.preventDefault();
+        close();
+      }}
+      onPointerDown={(event) => event.target === ref.current && close()}
+    >
+      <div class="dialog-body">
+        <header>
+          <h2>{title}</h2>
+          <button type="button" class="icon-button" aria-label={t('close')} onClick={close}>
+            ✕
+          </button>
+        </header>
+        {children}
+      </div>
+    </dialog>
+  );
+}
+
+export function DialogHost() {
+  return openDialog.value;
+}

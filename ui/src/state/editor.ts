@@ -1,0 +1,153 @@
+/** One editor: canvas, project and robot tied together. Made once, after the robot answered. */
+import { effect, signal } from '@preact/signals';
+import { Catalog } from '../blocks/pack';
+import { Canvas } from '../canvas/canvas';
+import { countBlocks, maxBlocks } from '../canvas/load_save';
+import { FaultMarks, Glow } from '../canvas/marks';
+import { answerClicks } from '../canvas/value_bubble';
+import { type MessageKey, lang, say, t } from '../messages';
+import { type Program, eachBlock, makeProgram, readProgram } from '../model/program';
+import type { Lang } from '../model/words';
+import type { Robot } from '../wire/api';
+import type { Example } from '../wire/protocol';
+import { Keeper, emptyProject, lastProject, projectName, recover } from './project';
+import { faults, noteKey, run, startFaults, telemetry } from './robot';
+import { type Project, ProjectStore } from './store';
+
+const emptyWorkspace = { blocks: { languageVersion: 0, blocks: [] }, variables: [] };
+
+export class Editor {
+  readonly catalog: Catalog;
+  readonly canvas: Canvas;
+  readonly examples: Example[];
+  private readonly keeper: Keeper;
+  private readonly faultMarks: FaultMarks;
+  private loading = false;
+
+  private constructor(
+    container: HTMLElement,
+    robot: Robot,
+    readonly store: ProjectStore | null,
+  ) {
+    this.catalog = new Catalog(robot.packs);
+    this.examples = robot.examples;
+    this.canvas = new Canvas(container, this.catalog);
+    this.keeper = new Keeper(store, () => this.program());
+    this.faultMarks = new FaultMarks(this.canvas.workspace);
+    this.canvas.onChange(() => {
+      if (!this.loading) this.keeper.changed();
+    });
+    answerClicks(this.canvas.workspace, () => this.program());
+    const glow = new Glow(this.canvas.workspace);
+    effect(() => glow.show(telemetry.value?.state === 'running' ? telemetry.value.blocks : []));
+    effect(() => this.faultMarks.show(faults.value));
+  }
+
+  static async start(container: HTMLElement, robot: Robot): Promise<Editor> {
+    const store = await ProjectStore.open().catch(() => null);
+    const editor = new Editor(container, robot, store);
+    const recovered = store ? await recover(store) : false;
+    const last = store ? await lastProject(store) : undefined;
+    if (last) editor.show(last);
+    else if (editor.examples[0]) await editor.openExample(editor.examples[0]);
+    else await editor.newProject();
+    if (recovered) noteKey('info', 'recovered');
+    return editor;
+  }
+
+  get projectId(): string {
+    return this.keeper.id;
+  }
+
+  /** The program as it stands on the canvas. */
+  program(): Program {
+    const workspace = this.canvas.save();
+    const types = [...eachBlock(workspace)].map((block) => block.type);
+    return makeProgram(projectName.peek(), workspace, this.catalog.packsOf(types));
+  }
+
+  flag(): void {
+    const program = this.program();
+    const n = countBlocks(program.workspace);
+    if (n > maxBlocks) noteKey('error', 'too_many_blocks', { n, max: maxBlocks });
+    else run(program);
+  }
+
+  private put(program: Program, project: Project): void {
+    this.loading = true;
+    startFaults.value = [];
+    this.faultMarks.forget();
+    const unknown = this.canvas.load(program.workspace);
+    this.loading = false;
+    this.keeper.adopt(project);
+    if (unknown.length > 0) noteKey('warning', 'unknown_blocks');
+  }
+
+  private show(project: Project): void {
+    const read = readProgram(project.text, project.name);
+    if ('program' in read) this.put(read.program, project);
+  }
+
+  private async openNew(program: Program, name: string): Promise<void> {
+    await this.keeper.flush();
+    this.put(program, emptyProject(name));
+    this.keeper.changed();
+  }
+
+  openExample(example: Example): Promise<void> {
+    return this.openNew(example.program, say(example.name));
+  }
+
+  newProject(): Promise<void> {
+    return this.openNew(makeProgram('', emptyWorkspace, []), t('untitled'));
+  }
+
+  async openProject(id: string): Promise<void> {
+    await this.keeper.flush();
+    const project = await this.store?.load(id);
+    if (project) this.show(project);
+  }
+
+  /** Opens the text of a file as a project of its own; a bad one changes nothing. Returns what is wrong with it. */
+  async openText(text: string, fileName: string): Promise<MessageKey | null> {
+    const read = readProgram(text, fileName.replace(/\.(mirada\.)?json$/i, ''));
+    if ('bad' in read) return read.bad;
+    await this.openNew(read.program, read.program.name);
+    noteKey('info', 'opened_file', { name: read.program.name });
+    return null;
+  }
+
+  rename(name: string): void {
+    this.keeper.rename(name);
+  }
+
+  async removeProject(): Promise<void> {
+    const { id } = this.keeper;
+    const others = ((await this.store?.list()) ?? []).filter((project) => project.id !== id);
+    if (others[0]) await this.openProject(others[0].id);
+    else await this.newProject();
+    await this.store?.remove(id);
+  }
+
+  setLanguage(next: Lang): void {
+    if (next === lang.peek()) return;
+    lang.value = next;
+    localStorage.setItem('mirada.lang', next);
+    document.documentElement.lang = next;
+    this.loading = true;
+    this.faultMarks.forget();
+    this.canvas.translate();
+    this.loading = false;
+    this.faultMarks.show(faults.peek());
+  }
+
+  /** Brings a block into view and selects it. */
+  reveal(blockId: string): void {
+    const block = this.canvas.workspace.getBlockById(blockId);
+    if (!block) return;
+    this.canvas.workspace.centerOnBlock(blockId, true);
+    block.select();
+  }
+}
+
+export const editor = signal<Editor | null>(null);

@@ -1,0 +1,41 @@
+/** Which panels are open, and whether the stage is folded away. The robot only works for what is open. */
+import { effect, signal } from '@preact/signals';
+import type { Watch } from '../wire/protocol';
+import { watch } from './robot';
+
+const key = 'mirada.panels';
+
+function kept(): { folded: boolean; sonar: boolean; faces: boolean } {
+  const otherwise = { folded: false, sonar: true, faces: false };
+  try {
+    return { ...otherwise, ...(JSON.parse(localStorage.getItem(key) ?? '{}') as object) };
+  } catch {
+    return otherwise;
+  }
+}
+
+const start = kept();
+export const folded = signal(start.folded);
+export const panels = signal({ sonar: start.sonar, faces: start.faces });
+
+export function togglePanel(panel: 'sonar' | 'faces'): void {
+  panels.value = { ...panels.value, [panel]: !panels.value[panel] };
+}
+
+export function keepPanels(): void {
+  const hidden = signal(document.hidden);
+  document.addEventListener('visibilitychange', () => {
+    hidden.value = document.hidden;
+  });
+  effect(() => {
+    localStorage.setItem(key, JSON.stringify({ folded: folded.value, ...panels.value }));
+    const open = !folded.value && !hidden.value;
+    const wanted: Watch = {
+      camera: open,
+      sonar: open && panels.value.sonar,
+      faces: open && panels.value.faces,
+      room: open,
+    };
+    watch(wanted);
+  });
+}

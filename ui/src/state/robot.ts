@@ -1,0 +1,264 @@
+/** What the page knows of the robot, as signals, and what it may ask of it. */
+import { batch, computed, signal } from '@preact/signals';
+import { type MessageKey, lang, say, t } from '../messages';
+import { newUuid } from '../model/ids';
+import { writeJson } from '../model/json';
+import type { Program } from '../model/program';
+import type { Words } from '../model/words';
+import { Connection, type Link } from '../wire/connection';
+import type {
+  Choice,
+  Fault,
+  FromRobot,
+  PictureHeader,
+  Setup,
+  SetupAnswer,
+  Telemetry,
+  Value,
+  Watch,
+} from '../wire/protocol';
+
+export const link = signal<Link>('connecting');
+export const you = signal('');
+export const owner = signal('');
+export const viewers = signal(0);
+export const setup = signal<Setup | null>(null);
+export const worlds = signal<Choice[]>([]);
+export const robots = signal<Choice[]>([]);
+export const telemetry = signal<Telemetry | null>(null);
+/** When the newest telemetry arrived (performance.now). */
+export const telemetryAt = signal(0);
+export const picture = signal<{ header: PictureHeader; bitmap: ImageBitmap } | null>(null);
+export const stopping = signal(false);
+export const starting = signal(false);
+/** Faults of the newest try to start: errors when it was refused, warnings when it runs. */
+export const startFaults = signal<Fault[]>([]);
+
+export interface Note {
+  at: number;
+  severity: 'info' | 'warning' | 'error';
+  words: () => string;
+}
+/** The newest words for the status line and the log. */
+export const notes = signal<Note[]>([]);
+
+export const running = computed(() => telemetry.value?.state === 'running' || telemetry.value?.state === 'paused');
+export const paused = computed(() => telemetry.value?.state === 'paused');
+export const youDrive = computed(() => owner.value !== '' && owner.value === you.value);
+export const mayDrive = computed(() => owner.value === '' || youDrive.value);
+/** All faults to show: those of the start, and those of the run. */
+export const faults = computed(() => [...startFaults.value, ...(telemetry.value?.faults ?? [])]);
+
+const waiting = new Map<number, (answer: { value?: Value; fault?: Fault }) => void>();
+let connection: Connection | null = null;
+let requests = 0;
+let watched: Watch = { camera: true, sonar: true, faces: true, room: true };
+
+export function note(severity: Note['severity'], words: () => string): void {
+  notes.value = [...notes.value.slice(-99), { at: Date.now(), severity, words }];
+}
+
+export function noteKey(severity: Note['severity'], key: MessageKey, values: Record<string, string | number> = {}): void {
+  note(severity, () => t(key, values));
+}
+
+function noteWords(severity: string, words: Words): void {
+  note(severity === 'error' || severity === 'warning' ? severity : 'info', () => say(words));
+}
+
+function clientId(): string {
+  const kept = sessionStorage.getItem('mirada.client');
+  if (kept) return kept;
+  const made = newUuid();
+  sessionStorage.setItem('mirada.client', made);
+  return made;
+}
+
+function noteStop(before: Telemetry | null, after: Telemetry): void {
+  const ended = before && before.state !== 'idle' && after.state === 'idle';
+  if (!ended || after.stop_reason === 'none') return;
+  const words: Record<string, MessageKey> = {
+    stop_button: 'why_stop_button',
+    program_ended: 'why_program_ended',
+    owner_lost: 'why_owner_lost',
+    camera_lost: 'why_camera_lost',
+    stuck: 'why_stuck',
+    put_back: 'why_put_back',
+    replaced: 'why_replaced',
+    faulted: 'why_faulted',
+  };
+  const key = words[after.stop_reason];
+  const calm = ['stop_button', 'put_back', 'replaced'].includes(after.stop_reason);
+  if (key) noteKey(calm ? 'info' : 'warning', key);
+}
+
+function receive(message: FromRobot): void {
+  switch (message.type) {
+    case 'welcome':
+      you.value = message.you;
+      owner.value = message.owner;
+      viewers.value = message.viewers;
+      setup.value = message.setup;
+      worlds.value = message.worlds;
+      robots.value = message.robots;
+      connection?.send({ type: 'watch', ...watched });
+      break;
+    case 'owner':
+      owner.value = message.owner;
+      viewers.value = message.viewers;
+      break;
+    case 'telemetry':
+      noteStop(telemetry.peek(), message);
+      telemetry.value = message;
+      telemetryAt.value = performance.now();
+      if (message.state === 'idle') stopping.value = false;
+      break;
+    case 'notice':
+      noteWords(message.severity, message.message);
+      break;
+    case 'started':
+      starting.value = false;
+      startFaults.value = message.warnings;
+      noteKey('info', 'started');
+      break;
+    case 'refused':
+      refused(message.faults);
+      break;
+    case 'setup':
+      setup.value = message.setup;
+      break;
+    case 'value':
+      waiting.get(message.request)?.(message);
+      waiting.delete(message.request);
+      break;
+  }
+}
+
+function refused(list: Fault[]): void {
+  const wasStart = starting.peek();
+  starting.value = false;
+  if (!wasStart) {
+    for (const fault of list) noteWords(fault.severity, fault.message);
+    return;
+  }
+  startFaults.value = list;
+  const n = list.filter((fault) => fault.severity === 'error').length;
+  if (n > 0) noteKey('error', n === 1 ? 'refused_one' : 'refused_many', { n });
+}
+
+let decoding = false;
+function showPicture(header: PictureHeader, jpeg: Uint8Array<ArrayBuffer>): void {
+  if (decoding || document.hidden) return;
+  decoding = true;
+  createImageBitmap(new Blob([jpeg], { type: 'image/jpeg' }))
+    .then((bitmap) => {
+      picture.peek()?.bitmap.close();
+      picture.value = { header, bitmap };
+    })
+    .catch(() => undefined)
+    .finally(() => {
+      decoding = false;
+    });
+}
+
+function linkChanged(now: Link): void {
+  const before = link.peek();
+  batch(() => {
+    link.value = now;
+    if (now === 'lost') {
+      starting.value = false;
+      owner.value = '';
+      telemetry.value = null;
+    }
+    if (now === 'up' && before === 'lost') noteKey('info', 'link_again');
+  });
+}
+
+export function connect(answer: SetupAnswer): void {
+  setup.value = answer.setup;
+  worlds.value = answer.worlds;
+  robots.value = answer.robots;
+  connection = new Connection({
+    link: linkChanged,
+    message: (message) => batch(() => receive(message)),
+    picture: showPicture,
+    hello: () => ({ type: 'hello', version: 1, client: clientId(), lang: lang.peek() }),
+  });
+}
+
+/** Takes the robot and starts the program. Any depth of program: it is not written by JSON.stringify. */
+export function run(program: Program): void {
+  startFaults.value = [];
+  starting.value = true;
+  if (!connection?.sendText(writeJson({ type: 'run', program }))) {
+    starting.value = false;
+    noteKey('warning', 'not_connected');
+  }
+}
+
+/** Stops by both ways that there are, and goes on until the robot has confirmed it. */
+export function stop(): void {
+  stopping.value = true;
+  starting.value = false;
+  connection?.send({ type: 'stop' });
+  void postStop(0);
+}
+
+async function postStop(tries: number): Promise<void> {
+  try {
+    const answer = await fetch('/api/stop', { method: 'POST', signal: AbortSignal.timeout(2000) });
+    if (answer.ok) {
+      stopping.value = false;
+      return;
+    }
+  } catch {
+    // Said by the banner; the robot's own watchdog stops it meanwhile.
+  }
+  if (stopping.peek() && tries < 20) window.setTimeout(() => void postStop(tries + 1), 500);
+  else stopping.value = false;
+}
+
+export function pause(on: boolean): void {
+  connection?.send({ type: 'pause', on });
+}
+
+export function sendKey(key: string, down: boolean): void {
+  connection?.send({ type: 'key', key, down });
+}
+
+export function choose(next: Pick<Setup, 'world' | 'robot' | 'seed'>): void {
+  connection?.send({ type: 'choose', world: next.world, robot: next.robot, seed: next.seed });
+}
+
+export function putBack(): void {
+  connection?.send({ type: 'put_back' });
+}
+
+export function release(): void {
+  connection?.send({ type: 'release' });
+}
+
+/** Tells the robot which panels are open: it does no work for closed ones. */
+export function watch(panels: Watch): void {
+  watched = panels;
+  connection?.send({ type: 'watch', ...panels });
+}
+
+/** The value of one reporter of this program, from the robot. */
+export function evaluate(program: Program, block: string): Promise<{ value?: Value; fault?: Fault }> {
+  requests += 1;
+  const request = requests;
+  const none = { fault: { place: block, code: 'no_answer', severity: 'error', message: noAnswer() } as Fault };
+  if (!connection?.sendText(writeJson({ type: 'evaluate', request, program, block }))) return Promise.resolve(none);
+  return new Promise((resolve) => {
+    waiting.set(request, resolve);
+    window.setTimeout(() => {
+      if (waiting.delete(request)) resolve(none);
+    }, 3000);
+  });
+}
+
+function noAnswer(): Words {
+  const words = t('nothing_running_value');
+  return { en: words, es: words };
+}

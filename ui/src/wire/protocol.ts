@@ -1,0 +1,161 @@
+/** The messages of docs/protocol.md. */
+import type { Program } from '../model/program';
+import type { Lang, Words } from '../model/words';
+
+export interface Fault {
+  place: string;
+  code: string;
+  severity: 'error' | 'warning';
+  message: Words;
+}
+
+export interface Choice {
+  id: string;
+  name: Words;
+}
+
+export interface Setup {
+  world: string;
+  robot: string;
+  seed: number;
+  simulated: boolean;
+}
+
+export interface SetupAnswer {
+  setup: Setup;
+  worlds: Choice[];
+  robots: Choice[];
+  lang: Lang;
+}
+
+export interface Example {
+  id: string;
+  pack: string;
+  name: Words;
+  program: Program;
+}
+
+export type Answer = 'blocked' | 'clear' | 'not_seen' | 'above_horizon';
+export type Value = number | string | boolean | null;
+
+export interface Sonar {
+  frame: number;
+  t_us: number;
+  pan_deg: number;
+  trusted: boolean;
+  readings: [bearing_deg: number, answer: Answer, distance_m: number | null, sigma_m: number | null][];
+  boundary: [u: number, v: number, answer: Answer][];
+}
+
+export interface Faces {
+  frame: number;
+  t_us: number;
+  width: number;
+  height: number;
+  detector: string;
+  faces: { x: number; y: number; w: number; h: number; score: number; bearing_deg: number }[];
+}
+
+export type Point = [x: number, y: number];
+
+export interface SceneRobot {
+  x_m: number;
+  y_m: number;
+  heading_deg: number;
+  footprint: Point[];
+  pan_deg: number;
+  hfov_deg: number;
+  contact: boolean;
+}
+
+export interface Scene {
+  bounds: { min_x_m: number; min_y_m: number; max_x_m: number; max_y_m: number };
+  floor_colour: string;
+  lines: { points: Point[]; width_m: number; colour: string }[];
+  walls: { points: Point[]; colour: string }[];
+  boxes: { x_m: number; y_m: number; heading_deg: number; length_m: number; width_m: number; colour: string }[];
+  cylinders: { x_m: number; y_m: number; radius_m: number; colour: string }[];
+  people: { x_m: number; y_m: number; heading_deg: number; radius_m: number }[];
+  robot: SceneRobot;
+  contacts: number;
+  path_m: number;
+}
+
+export interface Telemetry {
+  t_us: number;
+  run: number;
+  state: 'idle' | 'running' | 'paused';
+  stop_reason: string;
+  blocks: string[];
+  variables: Record<string, Value>;
+  lists: Record<string, Value[]>;
+  say: string;
+  say_log: { t_s: number; text: string }[];
+  faults: Fault[];
+  odometry: { x_m: number; y_m: number; heading_deg: number };
+  neck: { pan_deg: number; tilt_deg: number };
+  wheels: { left_mps: number; right_mps: number };
+  camera_trouble: string;
+  sonar: Sonar | null;
+  faces: Faces | null;
+  scene: Scene | null;
+}
+
+export interface Watch {
+  camera: boolean;
+  sonar: boolean;
+  faces: boolean;
+  room: boolean;
+}
+
+export type ToRobot =
+  | { type: 'hello'; version: 1; client: string; lang: Lang }
+  | { type: 'run'; program: Program }
+  | { type: 'stop' }
+  | { type: 'pause'; on: boolean }
+  | { type: 'key'; key: string; down: boolean }
+  | { type: 'evaluate'; request: number; program: Program; block: string }
+  | { type: 'choose'; world: string; robot: string; seed: number }
+  | { type: 'put_back' }
+  | ({ type: 'watch' } & Watch)
+  | { type: 'release' };
+
+export type FromRobot =
+  | {
+      type: 'welcome';
+      version: number;
+      you: string;
+      owner: string;
+      viewers: number;
+      setup: Setup;
+      worlds: Choice[];
+      robots: Choice[];
+      robot_clock_us: number;
+    }
+  | { type: 'owner'; owner: string; you_drive: boolean; viewers: number }
+  | ({ type: 'telemetry' } & Telemetry)
+  | { type: 'notice'; code: string; severity: string; message: Words }
+  | { type: 'started'; run: number; warnings: Fault[] }
+  | { type: 'refused'; faults: Fault[] }
+  | { type: 'value'; request: number; value?: Value; fault?: Fault }
+  | { type: 'setup'; setup: Setup };
+
+export interface PictureHeader {
+  frame: number;
+  t_us: number;
+  width: number;
+  height: number;
+}
+
+/** Splits a binary message: header length (u32, little-endian), header, JPEG. Null when it is none. */
+export function readPicture(bytes: ArrayBuffer): { header: PictureHeader; jpeg: Uint8Array<ArrayBuffer> } | null {
+  if (bytes.byteLength < 4) return null;
+  const length = new DataView(bytes).getUint32(0, true);
+  if (length > bytes.byteLength - 4) return null;
+  try {
+    const text = new TextDecoder().decode(new Uint8Array(bytes, 4, length));
+    return { header: JSON.parse(text) as PictureHeader, jpeg: new Uint8Array(bytes, 4 + length) };
+  } catch {
+    return null;
+  }
+}
