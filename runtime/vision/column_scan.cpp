@@ -6,57 +6,31 @@
 namespace mirada::vision {
 namespace {
 
-constexpr int kAlarm = 6;            // evidence for "not floor" that ends the walk
-constexpr int kRowsPastHorizon = 6;  // floor's look so far above the horizon is no floor
-constexpr int kFloorIsBack = 5;      // rows of floor after an interruption
-constexpr double kWidestLine_m = 0.12;
-constexpr double kLowestObstacle_m = 0.035;
+constexpr int kAlarm = 6;            // evidence for "not floor" that stops the walk
+constexpr int kRowsPastHorizon = 6;  // the floor's look so far above the horizon is no floor
+constexpr int kFootRows = 12;
 
 }  // namespace
 
 void ColumnScan::prepare(const FloorTexture& texture, const ScanSettings& settings) {
   settings_ = settings;
-  light_tolerance_ = std::clamp(static_cast<int>(std::lround(3.2 * texture.light_sigma)), 4, 24);
-  colour_tolerance_ = std::clamp(static_cast<int>(std::lround(3.2 * texture.colour_sigma)), 4, 16);
+  tolerance_.light = std::clamp(static_cast<int>(std::lround(3.2 * texture.light_sigma)), 5, 24);
+  tolerance_.colour = std::clamp(static_cast<int>(std::lround(3.2 * texture.colour_sigma)), 4, 16);
 }
 
-ColumnScan::Match ColumnScan::match(const Look& look) const {
-  const int light = std::abs(16 * look.light - light_16_);
-  const int colour = std::max(std::abs(16 * look.red - red_16_), std::abs(16 * look.blue - blue_16_));
-  if (light <= 16 * light_tolerance_ && colour <= 16 * colour_tolerance_) return Match::followed;
-  if (looks_.knows(look)) return Match::known;
-  const bool far_off = light > 32 * light_tolerance_ || colour > 32 * colour_tolerance_;
-  return far_off ? Match::very_odd : Match::odd;
-}
-
-void ColumnScan::follow(const Look& look, int slowness) {
-  light_16_ += (16 * look.light - light_16_) / slowness;
-  red_16_ += (16 * look.red - red_16_) / slowness;
-  blue_16_ += (16 * look.blue - blue_16_) / slowness;
-}
-
-/// The row from which the floor goes on after an interruption at `row`, or -1: then it was no line but an
-/// obstacle.
-int ColumnScan::row_where_floor_is_back(int column, int row, int top) const {
-  const double from_m = depth_m_[static_cast<std::size_t>(row)];
-  int floor_rows = 0;
-  for (int r = row; r >= top; --r) {
-    const double to_m = depth_m_[static_cast<std::size_t>(r)];
-    const bool floor = match(grid_.look(column, r)) <= Match::known;
-    floor_rows = floor ? floor_rows + 1 : 0;
-    if (floor_rows == 0) {
-      const double as_obstacle_m = settings_.camera_height_m * (1 - from_m / to_m);
-      if (to_m - from_m > kWidestLine_m || as_obstacle_m > kLowestObstacle_m) return -1;
-    }
-    if (floor_rows >= kFloorIsBack) return r;
+Look ColumnScan::mean_look(int column, int from, int to) const {
+  Look sum{0, 0, 0};
+  int n = 0;
+  for (int row = std::max(from, 0); row <= std::min(to, grid_.rows() - 1); ++row, ++n) {
+    const Look look = grid_.look(column, row);
+    sum = {sum.light + look.light, sum.red + look.red, sum.blue + look.blue};
   }
-  return -1;
+  n = std::max(n, 1);
+  return {sum.light / n, sum.red / n, sum.blue / n};
 }
 
 ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& start) {
-  light_16_ = 16 * start.light;
-  red_16_ = 16 * start.red;
-  blue_16_ = 16 * start.blue;
+  floor_.start(start);
   foot_ = start;
   if (span.bottom_row < 0) return {};
   if (span.horizon_row >= span.bottom_row) return {.end = ColumnResult::End::above_horizon};
@@ -65,24 +39,56 @@ ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& sta
   int first_odd = span.bottom_row;
   for (int row = span.bottom_row; row >= top; --row) {
     const Look look = grid_.look(column, row);
-    const Match how = match(look);
-    if (how <= Match::known) {
+    const int odd = floor_.oddness(look, tolerance_);
+    if (odd == 0 || looks_.knows(look)) {
       evidence = std::max(0, evidence - 1);
-      follow(look, how == Match::followed ? 8 : 4);
+      floor_.follow(look, 4);
     } else {
       if (evidence == 0) first_odd = row;
-      evidence += how == Match::very_odd ? 2 : 1;
+      evidence += odd;
     }
-    if (row == span.bottom_row - 12 && evidence == 0) foot_ = {light_16_ / 16, red_16_ / 16, blue_16_ / 16};
+    if (row == span.bottom_row - kFootRows && evidence == 0) foot_ = floor_.look();
     if (evidence < kAlarm) continue;
-    const int back = settings_.lines_are_obstacles ? -1 : row_where_floor_is_back(column, first_odd, top);
-    if (back < 0) return refined(column, first_odd, span);
-    row = back;
+    const Verdict verdict = judge(column, first_odd, top);
+    if (!verdict.floor_goes_on) return refined(column, verdict.row, span);
+    row = verdict.row;
     evidence = 0;
   }
-  const bool sees_past_horizon = span.horizon_row >= kRowsPastHorizon / 2;
-  return {.end = sees_past_horizon ? ColumnResult::End::through_horizon : ColumnResult::End::floor_to_top,
+  if (span.horizon_row >= kRowsPastHorizon / 2) return from_above(column, span, top);
+  return {.end = ColumnResult::End::floor_to_top,
           .row = span.horizon_row < 0 ? -0.5 : span.horizon_row + 0.5};
+}
+
+/// The floor's look went through the horizon: what stands there looks much like the floor. What is above the
+/// horizon is no floor for certain; walked down from there, it ends where the floor begins.
+ColumnResult ColumnScan::from_above(int column, const ColumnSpan& span, int top) const {
+  const ColumnResult lost{.end = ColumnResult::End::through_horizon, .row = span.horizon_row + 0.5};
+  LookFollower thing;
+  thing.start(mean_look(column, top, span.horizon_row));
+  int wander = 0;
+  for (int row = top; row < span.horizon_row; ++row) {
+    wander += std::abs(grid_.look(column, row + 1).light - grid_.look(column, row).light);
+  }
+  const int light = std::clamp(3 * wander / std::max(1, span.horizon_row - top), 4, 16);
+  const Tolerance tolerance{light, std::max(4, light / 2)};
+  int evidence = 0;
+  int first_odd = 0;
+  for (int row = span.horizon_row; row <= span.bottom_row; ++row) {
+    const Look look = grid_.look(column, row);
+    const int odd = thing.oddness(look, tolerance);
+    if (odd == 0) {
+      evidence = std::max(0, evidence - 1);
+      thing.follow(look, 4);
+    } else {
+      if (evidence == 0) first_odd = row;
+      evidence += odd;
+    }
+    if (evidence < kAlarm) continue;
+    ColumnResult result = refined(column, first_odd - 1, span);
+    result.sigma_row = std::max(result.sigma_row, 1.5);
+    return result;
+  }
+  return lost;
 }
 
 /// The boundary between `row` and the row below it to a part of a row: how many rows' worth of floor lie in a

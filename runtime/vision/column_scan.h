@@ -2,16 +2,10 @@
 #include <vector>
 
 #include "vision/floor_looks.h"
+#include "vision/look_follower.h"
 #include "vision/picture_grid.h"
 
 namespace mirada::vision {
-
-/// How much the floor's look wanders from one place to the next, in Look units (1 sigma); learnt from the
-/// picture.
-struct FloorTexture {
-  double light_sigma = 3;
-  double colour_sigma = 2;
-};
 
 /// What one column of the grid says, bottom to top.
 struct ColumnResult {
@@ -34,19 +28,24 @@ struct ColumnSpan {
   int horizon_row = -1;  ///< the lowest row whose ray does not go down; -1: even the top row goes down
 };
 
+/// What the rows of the grid mean on the floor; fixed by the neck's position.
+struct RowScale {
+  std::vector<double> depth_m;  ///< ahead of the lens, for every grid row; huge at and above the horizon
+  double height_m = 0.2;        ///< the lens's
+  double focal_cells = 66;      ///< focal length in grid columns
+};
+
 struct ScanSettings {
   bool lines_are_obstacles = false;
-  double camera_height_m = 0.2;
 };
 
 /// Walks up one column from the look that the floor has at its foot, and finds where the floor ends. The look
-/// is followed as it drifts with the light; looks that `looks` knows are floor too; short interruptions after
-/// which the floor comes back (joints, painted lines) are crossed. `depth_m` is the floor's distance ahead of
-/// the lens for every grid row.
+/// is followed as it drifts with the light; looks that `looks` knows are floor too. What interrupts it is
+/// judged: joints, painted lines and shade are crossed, the rest is an obstacle.
 class ColumnScan {
  public:
-  ColumnScan(const PictureGrid& grid, const FloorLooks& looks, const std::vector<double>& depth_m)
-      : grid_(grid), looks_(looks), depth_m_(depth_m) {}
+  ColumnScan(const PictureGrid& grid, const FloorLooks& looks, const RowScale& scale)
+      : grid_(grid), looks_(looks), scale_(scale) {}
 
   void prepare(const FloorTexture& texture, const ScanSettings& settings);
   ColumnResult run(int column, const ColumnSpan& span, const Look& start);
@@ -54,19 +53,32 @@ class ColumnScan {
   const Look& foot() const { return foot_; }
 
  private:
-  enum class Match { followed, known, odd, very_odd };
-  Match match(const Look& look) const;
-  void follow(const Look& look, int slowness);
+  /// What became of an interruption: the floor goes on above `row`, or it has ended at `row`.
+  struct Verdict {
+    bool floor_goes_on;
+    int row;
+  };
+  bool is_floor(const Look& look) const {
+    return floor_.oddness(look, tolerance_) == 0 || looks_.knows(look);
+  }
+  bool is_shade_of_floor(const Look& look) const;
+  Look mean_look(int column, int from, int to) const;
+  Verdict judge(int column, int row, int top);
+  int end_of_joint(int column, int row, int top) const;
+  Verdict judge_line(int column, int row, int top) const;
+  Verdict judge_shade(int column, int row, int top) const;
+  int end_of_surface(int column, int row, int top, LookFollower surface) const;
+  int end_of_ramp(int column, int row, int top) const;
+  int width_at(int column, int row) const;
+  ColumnResult from_above(int column, const ColumnSpan& span, int top) const;
   ColumnResult refined(int column, int row, const ColumnSpan& span) const;
-  int row_where_floor_is_back(int column, int row, int top) const;
 
   const PictureGrid& grid_;
   const FloorLooks& looks_;
-  const std::vector<double>& depth_m_;
+  const RowScale& scale_;
   ScanSettings settings_;
-  int light_tolerance_ = 10;
-  int colour_tolerance_ = 6;
-  int light_16_ = 0, red_16_ = 0, blue_16_ = 0;  ///< the look followed, times 16
+  Tolerance tolerance_;
+  LookFollower floor_;
   Look foot_;
 };
 

@@ -70,12 +70,12 @@ void FloorMemory::scan_columns(const PictureGrid& grid, const std::vector<Column
   for (int column = middle + 1; column < grid.columns(); ++column) start = run(column, start);
 }
 
-bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
-                       const std::vector<double>& depth_m, const ScanSettings& settings, const Pose2& X_OR,
-                       const NeckAngles& neck, std::vector<ColumnResult>& results) {
+bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
+                       const ScanSettings& settings, const Pose2& X_OR, const NeckAngles& neck,
+                       std::vector<ColumnResult>& results) {
   const Place place{X_OR, neck};
   if (is_frozen(grid, place)) return false;
-  const FloorStudy::Verdict verdict = study_.run(grid, spans, depth_m);
+  const FloorStudy::Verdict verdict = study_.run(grid, spans, scale.depth_m);
   if (verdict == FloorStudy::Verdict::dark || verdict == FloorStudy::Verdict::glaring) return false;
   const bool can_learn = verdict == FloorStudy::Verdict::floor;
   const bool first = !trusted_;
@@ -86,9 +86,9 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
     home_ = study_.main_look();
     texture_ = study_.texture();
   }
-  ColumnScan scan(grid, looks_, depth_m);
-  scan.prepare(texture_, settings);
-  scan_columns(grid, spans, scan, results);
+  ColumnScan column_scan(grid, looks_, scale);
+  column_scan.prepare(texture_, settings);
+  scan_columns(grid, spans, column_scan, results);
   if (first) {
     trusted_ = plausible(results);
     return trusted_;
@@ -97,17 +97,17 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
     forget();
     return false;
   }
-  if (can_learn && plausible(results)) learn(grid, spans, depth_m, results);
+  if (can_learn && plausible(results)) learn(grid, spans, scale, results);
   return true;
 }
 
-void FloorMemory::learn(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
-                        const std::vector<double>& depth_m, const std::vector<ColumnResult>& results) {
+void FloorMemory::learn(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
+                        const std::vector<ColumnResult>& results) {
   if (++pictures_since_fade_ >= kFadeEvery) {
     pictures_since_fade_ = 0;
     looks_.fade();
   }
-  const double limit_m = depth_m.back() + kLearnTo_m;
+  const double limit_m = scale.depth_m.back() + kLearnTo_m;
   Look sum{0, 0, 0};
   int count = 0;
   for (std::size_t i = 2; i < results.size(); i += 5) {
@@ -115,7 +115,7 @@ void FloorMemory::learn(const PictureGrid& grid, const std::vector<ColumnSpan>& 
       continue;
     const int top = static_cast<int>(results[i].row) + 8;
     for (int row = spans[i].bottom_row - 4; row > top; row -= 12) {
-      if (depth_m[static_cast<std::size_t>(row)] > limit_m) break;
+      if (scale.depth_m[static_cast<std::size_t>(row)] > limit_m) break;
       const Look look = grid.look(static_cast<int>(i), row);
       looks_.add(look, 4);
       if (row < spans[i].bottom_row - 40) continue;

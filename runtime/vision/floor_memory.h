@@ -17,7 +17,7 @@ class FloorMemory {
 
   /// Scans every column of a picture and learns from it. False: this picture cannot be used or no floor is
   /// known that could be trusted; `results` mean nothing then.
-  bool scan(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const std::vector<double>& depth_m,
+  bool scan(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
             const ScanSettings& settings, const Pose2& X_OR, const NeckAngles& neck,
             std::vector<ColumnResult>& results);
 
@@ -29,8 +29,8 @@ class FloorMemory {
   bool is_frozen(const PictureGrid& grid, const Place& place);
   void scan_columns(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, ColumnScan& scan,
                     std::vector<ColumnResult>& results) const;
-  void learn(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
-             const std::vector<double>& depth_m, const std::vector<ColumnResult>& results);
+  void learn(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
+             const std::vector<ColumnResult>& results);
   bool is_lost(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
                const std::vector<ColumnResult>& results, const Place& place);
 

@@ -39,7 +39,7 @@ struct VisualSonar::Impl {
   FloorMemory memory;
   std::optional<GroundProjection> ground;
   NeckAngles prepared_neck;
-  std::vector<double> depth_m;  ///< ahead of the lens, for every grid row of the middle column
+  RowScale scale;
   std::vector<ColumnSpan> spans;
   std::vector<ColumnResult> results;
   std::vector<ColumnEnd> ends;
@@ -61,7 +61,8 @@ bool VisualSonar::Impl::prepare_size(const cv::Mat& bgr) {
   spans.resize(static_cast<std::size_t>(grid.columns()));
   results.resize(spans.size());
   ends.resize(spans.size());
-  depth_m.resize(static_cast<std::size_t>(grid.rows()));
+  scale.depth_m.resize(static_cast<std::size_t>(grid.rows()));
+  scale.focal_cells = camera.fx_px * grid.columns() / camera.width_px;
   ground.reset();
   return true;
 }
@@ -74,10 +75,11 @@ void VisualSonar::Impl::prepare_neck(const NeckAngles& neck) {
   if (same_tilt) return;  // how far a row looks does not depend on pan
   const Eigen::Vector2d lens = ground->X_RC().translation().head<2>();
   const Eigen::Vector2d ahead = ground->X_RC().linear().col(2).head<2>().normalized();
+  scale.height_m = ground->height_m();
   for (int row = 0; row < grid.rows(); ++row) {
     const Eigen::Vector3d ray = grid.ray_C(grid.columns() / 2, row);
     const auto p = ground->floor_point_of_ray(ray);
-    depth_m[static_cast<std::size_t>(row)] = p ? std::min(1e3, (*p - lens).dot(ahead)) : 1e3;
+    scale.depth_m[static_cast<std::size_t>(row)] = p ? std::min(1e3, (*p - lens).dot(ahead)) : 1e3;
   }
   for (int column = 0; column < grid.columns(); ++column) {
     ColumnSpan& span = spans[static_cast<std::size_t>(column)];
@@ -99,8 +101,8 @@ bool VisualSonar::Impl::scan_all(const Pose2& X_OR, const NeckAngles& neck) {
     }
     return true;
   }
-  const ScanSettings scan{settings.lines_are_obstacles, ground->height_m()};
-  return memory.scan(grid, spans, depth_m, scan, X_OR, neck, results);
+  const ScanSettings scan{settings.lines_are_obstacles};
+  return memory.scan(grid, spans, scale, scan, X_OR, neck, results);
 }
 
 /// What a column found, as an answer about places on the floor.

@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "vision/column_scan.h"
+
+// What interrupts the floor on the way up a column: a joint, a painted line, shade - or an obstacle.
+
+namespace mirada::vision {
+namespace {
+
+constexpr int kAlarm = 6;
+constexpr int kFloorIsBack = 5;  // rows of floor after an interruption
+constexpr double kWidestLine_m = 0.12;
+constexpr double kLowestObstacle_m = 0.035;
+constexpr int kLineRows = 8;       // a line running away from the robot is at least so long
+constexpr int kDeepestShade = 85;  // Look units of light: a factor of 3.6
+constexpr int kLongestRamp = 18;   // rows of a shadow's soft rim
+constexpr int kSurfaceRows = 5;
+
+}  // namespace
+
+bool ColumnScan::is_shade_of_floor(const Look& look) const {
+  const Look floor = floor_.look();
+  const int colour = std::max(std::abs(look.red - floor.red), std::abs(look.blue - floor.blue));
+  return colour <= std::max(5, tolerance_.colour) && std::abs(look.light - floor.light) <= kDeepestShade;
+}
+
+/// The row from which the floor goes on after an interruption at `row` too short to be an obstacle, or -1.
+int ColumnScan::end_of_joint(int column, int row, int top) const {
+  const double from_m = scale_.depth_m[static_cast<std::size_t>(row)];
+  int floor_rows = 0;
+  for (int r = row; r >= top; --r) {
+    const double to_m = scale_.depth_m[static_cast<std::size_t>(r)];
+    floor_rows = is_floor(grid_.look(column, r)) ? floor_rows + 1 : 0;
+    if (floor_rows == 0) {
+      const double as_obstacle_m = scale_.height_m * (1 - from_m / to_m);
+      if (to_m - from_m > kWidestLine_m || as_obstacle_m > kLowestObstacle_m) return -1;
+    }
+    if (floor_rows >= kFloorIsBack) return r;
+  }
+  return -1;
+}
+
+/// How many cells side by side are not floor round this one, in its row; 0 when it is floor.
+int ColumnScan::width_at(int column, int row) const {
+  if (is_floor(grid_.look(column, row))) return 0;
+  int left = column;
+  int right = column;
+  while (left > 0 && !is_floor(grid_.look(left - 1, row))) --left;
+  while (right + 1 < grid_.columns() && !is_floor(grid_.look(right + 1, row))) ++right;
+  return right - left + 1;
+}
+
+/// A line that runs away from the robot keeps its width on the floor; a post keeps its width in the picture.
+ColumnScan::Verdict ColumnScan::judge_line(int column, int row, int top) const {
+  const Verdict obstacle{false, row};
+  const double from_m = scale_.depth_m[static_cast<std::size_t>(row)];
+  const int start = std::max(row - 2, top);
+  const int first_width = width_at(column, start);
+  int floor_rows = 0;
+  for (int r = start; r >= top; --r) {
+    const double depth_m = scale_.depth_m[static_cast<std::size_t>(r)];
+    const int width = width_at(column, r);
+    floor_rows = width == 0 ? floor_rows + 1 : 0;
+    if (floor_rows >= kFloorIsBack) return {true, r};
+    if (width > 1 && depth_m > 1.4 * from_m && width > 0.85 * first_width) return obstacle;
+    if (width * depth_m / scale_.focal_cells <= kWidestLine_m || width == 1) continue;
+    return start - r >= kLineRows ? Verdict{false, r} : obstacle;
+  }
+  return obstacle;
+}
+
+/// Past the soft rim of a shadow: where the look stops changing from row to row.
+int ColumnScan::end_of_ramp(int column, int row, int top) const {
+  const int last = std::max(top, row - kLongestRamp);
+  int r = row;
+  while (r - 3 > last) {
+    const int step = std::abs(grid_.look(column, r).light - grid_.look(column, r - 3).light);
+    if (step <= tolerance_.light) break;
+    r -= 2;
+  }
+  return r;
+}
+
+/// The first row above `row` that no longer looks like the surface there, or `top` - 1 when it goes on to the
+/// top.
+int ColumnScan::end_of_surface(int column, int row, int top, LookFollower surface) const {
+  int evidence = 0;
+  int first_odd = row;
+  for (int r = row; r >= top; --r) {
+    const Look look = grid_.look(column, r);
+    const int odd = surface.oddness(look, tolerance_);
+    if (odd == 0) {
+      evidence = std::max(0, evidence - 1);
+      surface.follow(look, 4);
+      continue;
+    }
+    if (evidence == 0) first_odd = r;
+    evidence += odd;
+    if (evidence >= kAlarm) return first_odd;
+  }
+  return top - 1;
+}
+
+/// The floor's colour in another light. Shade on the floor is one even surface that gives way below the
+/// horizon to lit floor or to a thing of another colour. A thing that happens to have the floor's colour goes
+/// on above the horizon, or shows its top in a third light.
+ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) const {
+  const Verdict obstacle{false, row};
+  const int settled = end_of_ramp(column, row, top);
+  if (settled - kSurfaceRows < top) return obstacle;
+  const Look shade = mean_look(column, settled - kSurfaceRows + 1, settled);
+  if (!is_shade_of_floor(shade)) return obstacle;
+  LookFollower surface;
+  surface.start(shade);
+  const int end = end_of_surface(column, settled, top, surface);
+  if (end < top) return obstacle;
+  const int beyond = end_of_ramp(column, end, top);
+  const Look next = mean_look(column, beyond - kSurfaceRows + 1, beyond);
+  if (is_floor(next)) return {true, beyond};
+  if (!is_shade_of_floor(next)) return {false, end};
+  surface.start(next);
+  const bool tall = end_of_surface(column, beyond, top, surface) < top;
+  return tall ? Verdict{false, end} : obstacle;
+}
+
+ColumnScan::Verdict ColumnScan::judge(int column, int row, int top) {
+  if (settings_.lines_are_obstacles) {
+    const int settled = end_of_ramp(column, row, top);
+    const bool shade = is_shade_of_floor(mean_look(column, settled - kSurfaceRows + 1, settled));
+    return shade ? judge_shade(column, row, top) : Verdict{false, row};
+  }
+  const int back = end_of_joint(column, row, top);
+  if (back >= 0) return {true, back};
+  const Verdict shade = judge_shade(column, row, top);
+  if (shade.floor_goes_on || shade.row != row) return shade;
+  return judge_line(column, row, top);
+}
+
+}  // namespace mirada::vision
