@@ -1,0 +1,73 @@
+#include "world/render/finish.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.h"
+
+namespace mirada::world {
+namespace {
+
+constexpr int kOffsets_x = 67;
+constexpr int kOffsets_y = 61;
+
+std::uint64_t mixed(std::uint64_t x) {  // SplitMix64's last step
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ULL;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EBULL;
+  return x ^ (x >> 31);
+}
+
+}  // namespace
+
+Finish::Finish(const RayTable& rays, const NoiseConfig& noise, std::uint64_t seed)
+    : width_(rays.width), height_(rays.height), stride_(rays.stride) {
+  const double half2 = (width_ * width_ + height_ * height_) / 4.0;
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      const double r2 = (std::pow(x - width_ / 2.0, 2) + std::pow(y - height_ / 2.0, 2)) / half2;
+      const bool sees = rays.sees[static_cast<std::size_t>(y * stride_ + x)] != 0;
+      bright_.push_back(
+          static_cast<std::uint16_t>(sees ? 256 * (1 - noise.vignette * r2 * std::sqrt(r2)) : 0));
+    }
+  }
+  if (noise.sensor <= 0) return;
+  Random random(seed, "sensor noise");
+  noise_.create(height_ + kOffsets_y, width_ + kOffsets_x, CV_8SC3);
+  for (int y = 0; y < noise_.rows; ++y) {
+    for (int x = 0; x < noise_.cols; ++x) {
+      const double grey = random.gaussian();
+      cv::Vec3b& pixel = noise_.at<cv::Vec3b>(y, x);
+      for (int c = 0; c < 3; ++c) {
+        const double value = noise.sensor * (0.8 * grey + 0.6 * random.gaussian());
+        pixel[c] =
+            static_cast<std::uint8_t>(static_cast<std::int8_t>(std::clamp(std::round(value), -127.0, 127.0)));
+      }
+    }
+  }
+}
+
+cv::Mat Finish::develop(const std::vector<std::uint32_t>& bgra, std::uint64_t chance) const {
+  cv::Mat out(height_, width_, CV_8UC3);
+  const std::uint64_t offset = mixed(chance + 0x9E3779B97F4A7C15ULL);
+  const int left = static_cast<int>(offset % kOffsets_x);
+  const int top = static_cast<int>((offset >> 20) % kOffsets_y);
+  static constexpr std::int8_t kQuiet[3] = {0, 0, 0};
+  for (int y = 0; y < height_; ++y) {
+    const std::uint32_t* in = bgra.data() + static_cast<std::ptrdiff_t>(y) * stride_;
+    const std::uint16_t* bright = bright_.data() + static_cast<std::ptrdiff_t>(y) * width_;
+    const std::int8_t* noise = noise_.empty() ? kQuiet : noise_.ptr<std::int8_t>(y + top) + 3 * left;
+    const int stride = noise_.empty() ? 0 : 3;
+    std::uint8_t* pixel = out.ptr<std::uint8_t>(y);
+    for (int x = 0; x < width_; ++x, pixel += 3, noise += stride) {
+      const std::uint32_t colour = in[x];
+      const int share = bright[x];
+      for (int c = 0; c < 3; ++c) {
+        const int value = ((static_cast<int>((colour >> (8 * c)) & 0xFF) * share) >> 8) + noise[c];
+        pixel[c] = static_cast<std::uint8_t>(std::clamp(value, 0, 255));
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace mirada::world

@@ -1,0 +1,97 @@
+#include "world/render/paint.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace mirada::world::paint {
+namespace {
+
+constexpr int kPatch_px = 1024;  // larger noise repeats mirrored
+
+cv::Mat random_grid(int cols, int rows, Random& random) {
+  cv::Mat out(rows, cols, CV_32F);
+  for (int y = 0; y < rows; ++y) {
+    for (int x = 0; x < cols; ++x) {
+      const std::uint32_t bits = random.next();
+      out.at<float>(y, x) = static_cast<float>(bits >> 8) * (2.0F / 16777216.0F) - 1;
+    }
+  }
+  return out;
+}
+
+void add_layer(cv::Mat& sum, double cell_x, double cell_y, double weight, Random& random) {
+  const int cols = std::max(2, static_cast<int>(std::ceil(sum.cols / cell_x)) + 1);
+  const int rows = std::max(2, static_cast<int>(std::ceil(sum.rows / cell_y)) + 1);
+  cv::Mat layer;
+  cv::resize(random_grid(std::min(cols, sum.cols), std::min(rows, sum.rows), random), layer, sum.size(), 0, 0,
+             cell_x < 4 ? cv::INTER_LINEAR : cv::INTER_CUBIC);
+  cv::scaleAdd(layer, weight, sum, sum);
+}
+
+}  // namespace
+
+cv::Mat grain_noise(cv::Size size, double cell_px, double stretch, int octaves, Random& random) {
+  const cv::Size patch(std::min(size.width, kPatch_px), std::min(size.height, kPatch_px));
+  cv::Mat sum = cv::Mat::zeros(patch, CV_32F);
+  double weight = 1, total = 0;
+  for (int i = 0; i < octaves && cell_px >= 1; ++i) {
+    add_layer(sum, cell_px * stretch, cell_px, weight, random);
+    total += weight;
+    weight /= 2;
+    cell_px /= 2;
+  }
+  if (total > 0) sum *= 1.6 / total;
+  if (patch == size) return sum;
+  cv::Mat out;
+  cv::copyMakeBorder(sum, out, 0, size.height - patch.height, 0, size.width - patch.width,
+                     cv::BORDER_REFLECT);
+  return out;
+}
+
+cv::Mat soft_noise(cv::Size size, double cell_px, int octaves, Random& random) {
+  return grain_noise(size, cell_px, 1, octaves, random);
+}
+
+cv::Scalar bgr(Colour colour) { return {double(colour.b), double(colour.g), double(colour.r)}; }
+
+cv::Mat plain(cv::Size size, Colour colour) {
+  return {std::max(size.height, 2), std::max(size.width, 2), CV_8UC3, bgr(colour)};
+}
+
+Colour shade(Colour colour, double share) {
+  const auto channel = [&](std::uint8_t value) {
+    return static_cast<std::uint8_t>(std::clamp(value * share, 0.0, 255.0));
+  };
+  return {channel(colour.r), channel(colour.g), channel(colour.b)};
+}
+
+Colour mix(Colour a, Colour b, double share) {
+  const auto channel = [&](std::uint8_t from, std::uint8_t to) {
+    return static_cast<std::uint8_t>(std::clamp(from + (to - from) * share, 0.0, 255.0));
+  };
+  return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
+}
+
+void modulate(cv::Mat& bgr8, const cv::Mat& noise, double amount) {
+  CV_Assert(noise.size() == bgr8.size() && noise.type() == CV_32F);
+  const auto strength = static_cast<float>(amount);
+  for (int y = 0; y < bgr8.rows; ++y) {
+    std::uint8_t* pixel = bgr8.ptr<std::uint8_t>(y);
+    const float* n = noise.ptr<float>(y);
+    for (int x = 0; x < bgr8.cols; ++x, pixel += 3) {
+      const float share = 1 + strength * n[x];
+      for (int c = 0; c < 3; ++c) {
+        pixel[c] =
+            static_cast<std::uint8_t>(std::clamp(static_cast<float>(pixel[c]) * share + 0.5F, 0.0F, 255.0F));
+      }
+    }
+  }
+}
+
+void light(cv::Mat& bgr8, double share, const cv::Vec3f& tint_bgr) {
+  cv::multiply(bgr8, cv::Scalar(share * tint_bgr[0], share * tint_bgr[1], share * tint_bgr[2]), bgr8);
+}
+
+}  // namespace mirada::world::paint

@@ -1,0 +1,225 @@
+#include "world/render/renderer.h"
+
+#include <algorithm>
+#include <array>
+
+#include "world/render/finish.h"
+#include "world/render/tiles.h"
+
+namespace mirada::world {
+namespace {
+
+constexpr int kTile = RayTable::kTile_px;
+constexpr std::uint32_t kMiddleDither = 1U << 22;
+
+/// Ordered dither, in parts of 2^23.
+constexpr std::array<std::array<std::uint32_t, 4>, 4> kBayer = {
+    {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}}};
+std::uint32_t dither_at(int x, int y) {
+  return (2 * kBayer[static_cast<std::size_t>(y & 3)][static_cast<std::size_t>(x & 3)] + 1) << 18;
+}
+
+// Four samples of a pixel on a turned grid, in pixels from its middle.
+constexpr std::array<std::array<float, 2>, 4> kSamples = {
+    {{-0.125F, -0.375F}, {0.375F, -0.125F}, {-0.375F, 0.125F}, {0.125F, 0.375F}}};
+
+}  // namespace
+
+struct Renderer::Impl {
+  Impl(const WorldConfig& placed, const CameraModel& camera, std::uint64_t seed)
+      : stage(placed, seed), rays(camera), view(stage), sorter(rays), finish(rays, placed.noise, seed) {
+    pixels.resize(rays.x.size());
+    ids.resize(rays.x.size());
+  }
+
+  void fill_tile(int tx, int ty);
+  void mixed_tile(std::size_t start, const TileSorter::Tile& tile);
+  void floor_tile(std::size_t start, const TileSorter::Tile& tile);
+  void quad_tile(std::size_t start, const TileSorter::Tile& tile);
+  void sky_tile(std::size_t start);
+  void smooth_edges();
+  std::uint32_t resampled(int x, int y) const;
+  bool on_edge(std::size_t at, int x, int y) const;
+  std::size_t at(int x, int y) const { return static_cast<std::size_t>(y * rays.stride + x); }
+
+  Stage stage;
+  RayTable rays;
+  SceneView view;
+  TileSorter sorter;
+  Finish finish;
+  std::vector<std::uint32_t> pixels;
+  std::vector<std::uint16_t> ids;
+};
+
+void Renderer::Impl::mixed_tile(std::size_t start, const TileSorter::Tile& tile) {
+  const std::uint16_t* items = sorter.candidates() + tile.first;
+  for (int y = 0; y < kTile; ++y) {
+    for (int x = 0; x < kTile; ++x) {
+      const std::size_t i = start + static_cast<std::size_t>(y * rays.stride + x);
+      const SceneView::Hit hit = view.hit(rays.x[i], rays.y[i], items, tile.count);
+      ids[i] = static_cast<std::uint16_t>(hit.id);
+      pixels[i] = view.colour(hit, rays.x[i], rays.y[i], dither_at(x, y));
+    }
+  }
+}
+
+void Renderer::Impl::floor_tile(std::size_t start, const TileSorter::Tile& tile) {
+  const Texture& texture = stage.textures[stage.floor_texture];
+  const float per_m = stage.floor_texels_per_m;
+  const Eigen::Matrix3f r = view.rotation;
+  const float height = view.at_m.z();
+  const float u0 = (view.at_m.x() - stage.floor_min_x_m) * per_m;
+  const float v0 = (stage.floor_max_y_m - view.at_m.y()) * per_m;
+  const int taps = tile.floor_taps;
+  const float share = 1.0F / static_cast<float>(taps);
+  const float share2 = share * share;
+  const auto part = static_cast<std::uint32_t>(256 / taps);
+  for (int y = 0; y < kTile; ++y) {
+    const std::size_t row = start + static_cast<std::size_t>(y * rays.stride);
+    const float* rx = rays.x.data() + row;
+    const float* ry = rays.y.data() + row;
+    std::array<float, kTile> u, v, du, dv, footprint2;
+    for (std::size_t x = 0; x < kTile; ++x) {
+      const float dx = r(0, 0) * rx[x] + r(0, 1) * ry[x] + r(0, 2);
+      const float dy = r(1, 0) * rx[x] + r(1, 1) * ry[x] + r(1, 2);
+      const float dz = r(2, 0) * rx[x] + r(2, 1) * ry[x] + r(2, 2);
+      const float t = -height / dz;
+      u[x] = u0 + t * dx * per_m;
+      v[x] = v0 - t * dy * per_m;
+      const float drop = -r(2, 1) / dz;
+      const float k = t * view.pixel_y * per_m;
+      du[x] = k * (r(0, 1) + dx * drop);
+      dv[x] = -k * (r(1, 1) + dy * drop);
+      const float across = t * view.pixel_x * per_m;
+      const float along2 = (du[x] * du[x] + dv[x] * dv[x]) * share2;
+      footprint2[x] = along2 > across * across ? along2 : across * across;
+    }
+    for (std::size_t x = 0; x < kTile; ++x) {
+      const Texture::Level& level = texture.level(footprint2[x], dither_at(static_cast<int>(x), y));
+      Lanes sum = 0;
+      for (int i = 0; i < taps; ++i) {
+        const float offset = (static_cast<float>(i) + 0.5F) * share - 0.5F;
+        sum +=
+            Texture::sample(level, u[x] + offset * du[x], v[x] + offset * dv[x]) >> 8 & 0x00FF00FF00FF00FFULL;
+      }
+      pixels[row + x] = packed(sum * part);
+      ids[row + x] = SceneView::kFloor;
+    }
+  }
+}
+
+void Renderer::Impl::quad_tile(std::size_t start, const TileSorter::Tile& tile) {
+  const std::size_t item = sorter.candidates()[tile.first];
+  const Quad& quad = stage.quads[item];
+  const QuadView& q = view.quads[item];
+  const Texture& texture = stage.textures[quad.texture];
+  const float per_u = texture.width() / quad.width_m;
+  const float per_v = texture.height() / quad.height_m;
+  for (int y = 0; y < kTile; ++y) {
+    const std::size_t row = start + static_cast<std::size_t>(y * rays.stride);
+    const float* rx = rays.x.data() + row;
+    const float* ry = rays.y.data() + row;
+    std::array<float, kTile> u, v, footprint2;
+    for (std::size_t x = 0; x < kTile; ++x) {
+      const float facing = q.normal_C.x() * rx[x] + q.normal_C.y() * ry[x] + q.normal_C.z();
+      const float t = q.plane / facing;
+      u[x] = (q.right0 + t * (q.right_C.x() * rx[x] + q.right_C.y() * ry[x] + q.right_C.z())) * per_u;
+      v[x] = (q.down0 + t * (q.down_C.x() * rx[x] + q.down_C.y() * ry[x] + q.down_C.z())) * per_v;
+      const float across = t * view.pixel_x * per_u;
+      const float stretch = -(1 + (rx[x] * rx[x] + ry[x] * ry[x]) / 2) / facing;
+      footprint2[x] = across * across * (stretch < 9 ? stretch : 9.0F);
+    }
+    for (std::size_t x = 0; x < kTile; ++x) {
+      const Texture::Level& level = texture.level(footprint2[x], dither_at(static_cast<int>(x), y));
+      pixels[row + x] = packed(Texture::sample(level, u[x], v[x]));
+      ids[row + x] = static_cast<std::uint16_t>(item + SceneView::kFirstItem);
+    }
+  }
+}
+
+void Renderer::Impl::sky_tile(std::size_t start) {
+  for (int y = 0; y < kTile; ++y) {
+    for (int x = 0; x < kTile; ++x) {
+      const std::size_t i = start + static_cast<std::size_t>(y * rays.stride + x);
+      pixels[i] = view.sky(rays.x[i], rays.y[i]);
+      ids[i] = SceneView::kSky;
+    }
+  }
+}
+
+void Renderer::Impl::fill_tile(int tx, int ty) {
+  const TileSorter::Tile& tile = sorter.tiles()[static_cast<std::size_t>(ty * rays.tiles_x + tx)];
+  const std::size_t start = at(tx * kTile, ty * kTile);
+  switch (tile.kind) {
+    case TileSorter::Kind::floor:
+      floor_tile(start, tile);
+      break;
+    case TileSorter::Kind::sky:
+      sky_tile(start);
+      break;
+    case TileSorter::Kind::quad:
+      quad_tile(start, tile);
+      break;
+    case TileSorter::Kind::mixed:
+      mixed_tile(start, tile);
+      break;
+  }
+}
+
+bool Renderer::Impl::on_edge(std::size_t i, int x, int y) const {
+  const std::uint16_t id = ids[i];
+  return (x > 0 && ids[i - 1] != id) || (x + 1 < rays.width && ids[i + 1] != id) ||
+         (y > 0 && ids[i - static_cast<std::size_t>(rays.stride)] != id) ||
+         (y + 1 < rays.height && ids[i + static_cast<std::size_t>(rays.stride)] != id);
+}
+
+std::uint32_t Renderer::Impl::resampled(int x, int y) const {
+  const TileSorter::Tile& tile =
+      sorter.tiles()[static_cast<std::size_t>((y / kTile) * rays.tiles_x + x / kTile)];
+  const std::uint16_t* items = sorter.candidates() + tile.first;
+  const std::size_t i = at(x, y);
+  // How the ray changes a pixel to the right and down, from the neighbours.
+  const std::size_t left = x > 0 ? i - 1 : i;
+  const std::size_t right = x + 1 < rays.width ? i + 1 : i;
+  const std::size_t up = y > 0 ? i - static_cast<std::size_t>(rays.stride) : i;
+  const std::size_t down = y + 1 < rays.height ? i + static_cast<std::size_t>(rays.stride) : i;
+  const float wide = 1.0F / static_cast<float>(std::max<std::size_t>(right - left, 1));
+  const float deep = up != i && down != i ? 0.5F : 1.0F;
+  Lanes sum = 0;
+  for (const auto& [sx, sy] : kSamples) {
+    const float rx =
+        rays.x[i] + sx * wide * (rays.x[right] - rays.x[left]) + sy * deep * (rays.x[down] - rays.x[up]);
+    const float ry =
+        rays.y[i] + sx * wide * (rays.y[right] - rays.y[left]) + sy * deep * (rays.y[down] - rays.y[up]);
+    sum += spread(view.colour(view.hit(rx, ry, items, tile.count), rx, ry, kMiddleDither));
+  }
+  return packed(sum * 64);
+}
+
+void Renderer::Impl::smooth_edges() {
+  for (int y = 0; y < rays.height; ++y) {
+    for (int x = 0; x < rays.width; ++x) {
+      const std::size_t i = at(x, y);
+      if (on_edge(i, x, y)) pixels[i] = resampled(x, y);
+    }
+  }
+}
+
+Renderer::Renderer(const WorldConfig& placed, const CameraModel& camera, std::uint64_t seed)
+    : impl_(std::make_unique<Impl>(placed, camera, seed)) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+
+cv::Mat Renderer::render(const Eigen::Isometry3d& X_WC, const std::vector<Pose2>& people,
+                         std::int64_t chance) {
+  Impl& r = *impl_;
+  r.view.look(r.rays, X_WC, people);
+  r.sorter.sort(r.view);
+  for (int ty = 0; ty < r.rays.tiles_y; ++ty) {
+    for (int tx = 0; tx < r.rays.tiles_x; ++tx) r.fill_tile(tx, ty);
+  }
+  r.smooth_edges();
+  return r.finish.develop(r.pixels, static_cast<std::uint64_t>(chance));
+}
+
+}  // namespace mirada::world
