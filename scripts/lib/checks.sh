@@ -14,3 +14,10 @@ check_tidy() {
   find runtime blocks src -name '*.cpp' -print0 | sort -z |
     xargs -0 -n 1 -P "$(nproc)" clang-tidy --quiet -p build/release
 }
+
+# What needs no compiling; scripts/check runs only this.
+quick_parts() {
+  part 'format' check_format
+  part 'architecture' run_node_tests tests/architecture/*.test.mjs
+  part 'ui check' npm run --prefix ui check
+}

@@ -20,7 +20,7 @@ show_progress() {
 }
 
 # timed NAME LOG COMMAND...: runs the command with its output in LOG and prints the line. Gives the command's status.
-# `set -e` works inside the command as long as timed itself is not part of a condition.
+# To be called under `set +e` and not in a condition: only so does `set -e` hold inside the command.
 timed() {
   local name=$1 log=$2 started=$EPOCHREALTIME status word progress=''
   shift 2
@@ -30,7 +30,6 @@ timed() {
     show_progress "$name" "$log" &
     progress=$!
   fi
-  set +e
   (set -e; "$@") >"$log" 2>&1 </dev/null
   status=$?
   if [[ -n $progress ]]; then
@@ -38,7 +37,6 @@ timed() {
     wait "$progress" 2>/dev/null
     printf '\r  %-24s ' "$name"
   fi
-  set -e
   word=ok
   if ((status != 0)); then word=FAILED; fi
   printf '%-6s %7s s  %s\n' "$word" "$(seconds_since "$started")" "$(cat "$logs/.note")"
