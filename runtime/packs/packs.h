@@ -11,20 +11,22 @@ namespace mirada::packs {
 
 /// One block pack: its blocks' definitions, and its manifest as the editor gets it.
 struct Pack {
-    std::string id;
-    std::string version;
-    std::vector<vm::BlockDef> blocks;
-    std::string manifest_json;  ///< pack.json as it was read
+  std::string id;
+  std::string version;
+  double order = 1000;  ///< place in the toolbox; packs without one come last
+  std::vector<vm::BlockDef> blocks;
+  std::string manifest_json;  ///< pack.json as it was read
 };
 
-/// Reads pack.json (docs/pack-authoring.md). `native` blocks take their meaning from `natives`; one that is missing there
-/// is a fault. All faults at once.
-Result<Pack> read_pack(const std::string& json_text, const std::string& file_name, const vm::NativeTable& natives);
+/// Reads pack.json (docs/pack-authoring.md). `native` blocks take their meaning from `natives`; one that is
+/// missing there is a fault. All faults at once.
+Result<Pack> read_pack(const std::string& json_text, const std::string& file_name,
+                       const vm::NativeTable& natives);
 
 struct PackSet {
-    vm::BlockCatalog catalog;
-    std::vector<Pack> packs;  ///< in toolbox order: by pack.json "order", then id
-    Faults faults;            ///< packs that could not be loaded: the rest goes on
+  vm::BlockCatalog catalog;
+  std::vector<Pack> packs;  ///< in toolbox order: by pack.json "order", then id
+  Faults faults;            ///< packs that could not be loaded: the rest goes on
 };
 
 /// Every <folder>/<pack>/pack.json.
