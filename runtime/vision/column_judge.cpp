@@ -16,7 +16,8 @@ constexpr double kLowestObstacle_m = 0.035;
 constexpr int kLineRows = 8;       // a line running away from the robot is at least so long
 constexpr int kDeepestShade = 85;  // Look units of light: a factor of 3.6
 constexpr int kLongestRamp = 18;   // rows of a shadow's soft rim
-constexpr int kSurfaceRows = 5;
+constexpr int kSurfaceRows = 8;
+constexpr int kMostJoints = 8;  // crossed on one shaded surface
 
 }  // namespace
 
@@ -26,13 +27,16 @@ bool ColumnScan::is_shade_of_floor(const Look& look) const {
   return colour <= std::max(5, tolerance_.colour) && std::abs(look.light - floor.light) <= kDeepestShade;
 }
 
-/// The row from which the floor goes on after an interruption at `row` too short to be an obstacle, or -1.
-int ColumnScan::end_of_joint(int column, int row, int top) const {
+/// The row from which the floor, or the `surface` it has turned into, goes on after an interruption at `row`
+/// too short to be an obstacle, or -1.
+int ColumnScan::end_of_joint(int column, int row, int top, const Surface* surface) const {
   const double from_m = scale_.depth_m[static_cast<std::size_t>(row)];
   int floor_rows = 0;
   for (int r = row; r >= top; --r) {
     const double to_m = scale_.depth_m[static_cast<std::size_t>(r)];
-    floor_rows = is_floor(grid_.look(column, r)) ? floor_rows + 1 : 0;
+    const Look look = grid_.look(column, r);
+    const bool floor = is_floor(look) || (surface && is_on(surface->look, surface->lighter, look));
+    floor_rows = floor ? floor_rows + 1 : 0;
     if (floor_rows == 0) {
       const double as_obstacle_m = scale_.height_m * (1 - from_m / to_m);
       if (to_m - from_m > kWidestLine_m || as_obstacle_m > kLowestObstacle_m) return -1;
@@ -43,13 +47,13 @@ int ColumnScan::end_of_joint(int column, int row, int top) const {
 }
 
 /// How many cells side by side are not floor round this one, in its row; 0 when it is floor.
-int ColumnScan::width_at(int column, int row) const {
-  if (is_floor(grid_.look(column, row))) return 0;
+ColumnScan::Width ColumnScan::width_at(int column, int row) const {
+  if (is_floor(grid_.look(column, row))) return {0, true};
   int left = column;
   int right = column;
   while (left > 0 && !is_floor(grid_.look(left - 1, row))) --left;
   while (right + 1 < grid_.columns() && !is_floor(grid_.look(right + 1, row))) ++right;
-  return right - left + 1;
+  return {right - left + 1, left > 0 && right + 1 < grid_.columns()};
 }
 
 /// A line that runs away from the robot keeps its width on the floor; a post keeps its width in the picture.
@@ -57,15 +61,18 @@ ColumnScan::Verdict ColumnScan::judge_line(int column, int row, int top) const {
   const Verdict obstacle{false, row};
   const double from_m = scale_.depth_m[static_cast<std::size_t>(row)];
   const int start = std::max(row - 2, top);
-  const int first_width = width_at(column, start);
+  int widest = 2;
   int floor_rows = 0;
   for (int r = start; r >= top; --r) {
     const double depth_m = scale_.depth_m[static_cast<std::size_t>(r)];
-    const int width = width_at(column, r);
-    floor_rows = width == 0 ? floor_rows + 1 : 0;
+    const Width width = width_at(column, r);
+    floor_rows = width.cells == 0 ? floor_rows + 1 : 0;
     if (floor_rows >= kFloorIsBack) return {true, r};
-    if (width > 1 && depth_m > 1.4 * from_m && width > 0.85 * first_width) return obstacle;
-    if (width * depth_m / scale_.focal_cells <= kWidestLine_m || width == 1) continue;
+    if (start - r < kLineRows || !width.whole) widest = std::max(widest, width.cells);
+    const bool as_wide = !width.whole || width.cells >= widest;
+    const bool like_post = width.cells > 0 && as_wide && depth_m > (1.5 + 1.0 / widest) * from_m;
+    if (like_post) return obstacle;
+    if (width.cells * depth_m / scale_.focal_cells <= kWidestLine_m || width.cells == 1) continue;
     return start - r >= kLineRows ? Verdict{false, r} : obstacle;
   }
   return obstacle;
@@ -85,15 +92,15 @@ int ColumnScan::end_of_ramp(int column, int row, int top) const {
 
 /// The first row above `row` that no longer looks like the surface there, or `top` - 1 when it goes on to the
 /// top.
-int ColumnScan::end_of_surface(int column, int row, int top, LookFollower surface) const {
+int ColumnScan::end_of_surface(int column, int row, int top, Surface surface) const {
   int evidence = 0;
   int first_odd = row;
   for (int r = row; r >= top; --r) {
     const Look look = grid_.look(column, r);
-    const int odd = surface.oddness(look, tolerance_);
-    if (odd == 0) {
+    const int odd = surface.look.oddness(look, tolerance_);
+    if (odd == 0 || is_on(surface.look, surface.lighter, look)) {
       evidence = std::max(0, evidence - 1);
-      surface.follow(look, 4);
+      if (odd == 0) surface.look.follow(look, 4);
       continue;
     }
     if (evidence == 0) first_odd = r;
@@ -112,15 +119,23 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) const 
   if (settled - kSurfaceRows < top) return obstacle;
   const Look shade = mean_look(column, settled - kSurfaceRows + 1, settled);
   if (!is_shade_of_floor(shade)) return obstacle;
-  LookFollower surface;
-  surface.start(shade);
-  const int end = end_of_surface(column, settled, top, surface);
+  Surface surface{.look = {},
+                  .lighter = shade.light - mean_look(column, row + 2, row + 1 + kSurfaceRows).light};
+  surface.look.start(shade);
+  int end = end_of_surface(column, settled, top, surface);
+  for (int joints = 0; end >= top && joints < kMostJoints; ++joints) {
+    const int back = end_of_joint(column, end, top, &surface);
+    if (back < 0) break;
+    if (is_floor(mean_look(column, back, back + kFloorIsBack - 1))) return {true, back};
+    end = end_of_surface(column, back, top, surface);
+  }
   if (end < top) return obstacle;
   const int beyond = end_of_ramp(column, end, top);
   const Look next = mean_look(column, beyond - kSurfaceRows + 1, beyond);
   if (is_floor(next)) return {true, beyond};
   if (!is_shade_of_floor(next)) return {false, end};
-  surface.start(next);
+  surface.look.start(next);
+  surface.lighter = next.light - floor_.look().light;
   const bool tall = end_of_surface(column, beyond, top, surface) < top;
   return tall ? Verdict{false, end} : obstacle;
 }
@@ -131,7 +146,7 @@ ColumnScan::Verdict ColumnScan::judge(int column, int row, int top) {
     const bool shade = is_shade_of_floor(mean_look(column, settled - kSurfaceRows + 1, settled));
     return shade ? judge_shade(column, row, top) : Verdict{false, row};
   }
-  const int back = end_of_joint(column, row, top);
+  const int back = end_of_joint(column, row, top, nullptr);
   if (back >= 0) return {true, back};
   const Verdict shade = judge_shade(column, row, top);
   if (shade.floor_goes_on || shade.row != row) return shade;

@@ -12,7 +12,8 @@ constexpr int kFootRows = 12;
 
 }  // namespace
 
-void ColumnScan::prepare(const FloorTexture& texture, const ScanSettings& settings) {
+void ColumnScan::prepare(const FloorTexture& texture, const Look& home, const ScanSettings& settings) {
+  home_light_ = home.light;
   settings_ = settings;
   tolerance_.light = std::clamp(static_cast<int>(std::lround(3.2 * texture.light_sigma)), 5, 24);
   tolerance_.colour = std::clamp(static_cast<int>(std::lround(3.2 * texture.colour_sigma)), 4, 16);
@@ -40,9 +41,9 @@ ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& sta
   for (int row = span.bottom_row; row >= top; --row) {
     const Look look = grid_.look(column, row);
     const int odd = floor_.oddness(look, tolerance_);
-    if (odd == 0 || looks_.knows(look)) {
+    if (odd == 0 || is_known(look)) {
       evidence = std::max(0, evidence - 1);
-      floor_.follow(look, 4);
+      if (odd == 0) floor_.follow(look, 4);
     } else {
       if (evidence == 0) first_odd = row;
       evidence += odd;
@@ -81,9 +82,9 @@ ColumnResult ColumnScan::from_above(int column, const ColumnSpan& span, int top)
       thing.follow(look, 4);
     } else {
       if (evidence == 0) first_odd = row;
-      evidence += odd;
+      evidence += 2 * odd;
     }
-    if (evidence < kAlarm) continue;
+    if (evidence < 2 * kAlarm) continue;
     ColumnResult result = refined(column, first_odd - 1, span);
     result.sigma_row = std::max(result.sigma_row, 1.5);
     return result;

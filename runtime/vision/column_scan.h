@@ -47,7 +47,8 @@ class ColumnScan {
   ColumnScan(const PictureGrid& grid, const FloorLooks& looks, const RowScale& scale)
       : grid_(grid), looks_(looks), scale_(scale) {}
 
-  void prepare(const FloorTexture& texture, const ScanSettings& settings);
+  /// `home` is the main look of the floor where `looks` was learnt.
+  void prepare(const FloorTexture& texture, const Look& home, const ScanSettings& settings);
   ColumnResult run(int column, const ColumnSpan& span, const Look& start);
   /// The floor's look at the column's foot as followed by the last run(), to start its neighbour with.
   const Look& foot() const { return foot_; }
@@ -58,18 +59,33 @@ class ColumnScan {
     bool floor_goes_on;
     int row;
   };
-  bool is_floor(const Look& look) const {
-    return floor_.oddness(look, tolerance_) == 0 || looks_.knows(look);
+  /// Known looks are compared in the light that there is here: as much brighter or darker as the main look
+  /// has become.
+  bool is_known(const Look& look) const {
+    return looks_.knows({look.light + home_light_ - floor_.look().light, look.red, look.blue});
+  }
+  bool is_floor(const Look& look) const { return floor_.oddness(look, tolerance_) == 0 || is_known(look); }
+  /// The same on a surface that is `lighter` than the floor by so much.
+  bool is_on(const LookFollower& surface, int lighter, const Look& look) const {
+    return surface.oddness(look, tolerance_) == 0 || is_known({look.light - lighter, look.red, look.blue});
   }
   bool is_shade_of_floor(const Look& look) const;
   Look mean_look(int column, int from, int to) const;
   Verdict judge(int column, int row, int top);
-  int end_of_joint(int column, int row, int top) const;
+  struct Surface {
+    LookFollower look;
+    int lighter;  ///< than the floor, in Look units
+  };
+  int end_of_joint(int column, int row, int top, const Surface* surface) const;
   Verdict judge_line(int column, int row, int top) const;
   Verdict judge_shade(int column, int row, int top) const;
-  int end_of_surface(int column, int row, int top, LookFollower surface) const;
+  int end_of_surface(int column, int row, int top, Surface surface) const;
   int end_of_ramp(int column, int row, int top) const;
-  int width_at(int column, int row) const;
+  struct Width {
+    int cells;
+    bool whole;  ///< floor on both sides; false: cut off by the picture's side
+  };
+  Width width_at(int column, int row) const;
   ColumnResult from_above(int column, const ColumnSpan& span, int top) const;
   ColumnResult refined(int column, int row, const ColumnSpan& span) const;
 
@@ -79,6 +95,7 @@ class ColumnScan {
   ScanSettings settings_;
   Tolerance tolerance_;
   LookFollower floor_;
+  int home_light_ = 0;
   Look foot_;
 };
 

@@ -87,7 +87,7 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
     texture_ = study_.texture();
   }
   ColumnScan column_scan(grid, looks_, scale);
-  column_scan.prepare(texture_, settings);
+  column_scan.prepare(texture_, home_, settings);
   scan_columns(grid, spans, column_scan, results);
   if (first) {
     trusted_ = plausible(results);
@@ -118,7 +118,9 @@ void FloorMemory::learn(const PictureGrid& grid, const std::vector<ColumnSpan>& 
       if (scale.depth_m[static_cast<std::size_t>(row)] > limit_m) break;
       const Look look = grid.look(static_cast<int>(i), row);
       looks_.add(look, 4);
-      if (row < spans[i].bottom_row - 40) continue;
+      const bool main = std::abs(look.light - home_.light) < 16 && std::abs(look.red - home_.red) < 10 &&
+                        std::abs(look.blue - home_.blue) < 10;
+      if (!main || row < spans[i].bottom_row - 40) continue;
       sum = {sum.light + look.light, sum.red + look.red, sum.blue + look.blue};
       ++count;
     }

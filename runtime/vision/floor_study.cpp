@@ -28,7 +28,7 @@ int FloorStudy::group_of(const Look& look) {
     if (same(mean, look)) return i;
   }
   if (group_count_ == kGroups) return kNoGroup;
-  groups_[static_cast<std::size_t>(group_count_)] = Group{.seed = look};
+  groups_[static_cast<std::size_t>(group_count_)] = Group{};
   return group_count_++;
 }
 
@@ -58,33 +58,52 @@ void FloorStudy::sample(const PictureGrid& grid, const std::vector<ColumnSpan>& 
   }
 }
 
-void FloorStudy::find_hanging() {
+void FloorStudy::look_along_columns() {
   for (int i = 0; i < kColumns; ++i) {
     const Sample* column = &samples_[static_cast<std::size_t>(i * kRows)];
     const int height = heights_[static_cast<std::size_t>(i)];
-    for (int j = height - 1; j > 0; --j) {
-      if (column[j].group == kNoGroup || column[j].group != column[height - 1].group) break;
-      const bool reaches_foot =
-          std::all_of(column, column + j, [&](const Sample& s) { return s.group == column[j].group; });
-      if (reaches_foot) break;
-      ++groups_[static_cast<std::size_t>(column[j].group)].hanging;
+    if (height == 0) continue;
+    if (column[0].group != kNoGroup) ++groups_[static_cast<std::size_t>(column[0].group)].foot_columns;
+    std::array<bool, kGroups> inner{};
+    int begin = 0;
+    for (int j = 1; j < height; ++j) {
+      if (column[j].group == column[begin].group) continue;
+      if (begin > 0 && column[begin].group != kNoGroup)
+        inner[static_cast<std::size_t>(column[begin].group)] = true;
+      begin = j;
     }
+    for (std::size_t g = 0; g < kGroups; ++g) groups_[g].inner_columns += inner[g];
+  }
+}
+
+void FloorStudy::look_along_rows() {
+  for (int j = 0; j < kRows; ++j) {
+    std::array<int, kGroups> parts{};
+    int before = kNoGroup;
+    for (int i = 0; i < kColumns; ++i) {
+      if (j >= heights_[static_cast<std::size_t>(i)]) continue;
+      const int group = samples_[static_cast<std::size_t>(i * kRows + j)].group;
+      if (group != before && group != kNoGroup) ++parts[static_cast<std::size_t>(group)];
+      before = group;
+    }
+    for (std::size_t g = 0; g < kGroups; ++g) groups_[g].parted_rows += parts[g] > 1;
   }
 }
 
 bool FloorStudy::choose_floor() {
-  int explained = 0;
-  int largest = 0;
+  int grouped = 0;
+  Group* main = nullptr;
   for (int i = 0; i < group_count_; ++i) {
     Group& group = groups_[static_cast<std::size_t>(i)];
-    group.floor = group.size * 25 >= sample_count_ && group.hanging * 4 < group.size * 3;
-    if (!group.floor) continue;
-    explained += group.size;
-    if (group.size <= largest) continue;
-    largest = group.size;
-    main_look_ = {group.light_sum / group.size, group.red_sum / group.size, group.blue_sum / group.size};
+    if (group.size * 25 < sample_count_) continue;
+    grouped += group.size;
+    group.floor = group.inner_columns >= kColumns / 8 || group.parted_rows >= kRows / 4;
+    if (group.foot_columns >= kColumns / 4 && (!main || group.size > main->size)) main = &group;
   }
-  return largest > 0 && explained * 2 >= sample_count_;
+  if (!main || main->size * 5 < sample_count_ || grouped * 5 < sample_count_ * 3) return false;
+  main->floor = true;
+  main_look_ = {main->light_sum / main->size, main->red_sum / main->size, main->blue_sum / main->size};
+  return true;
 }
 
 void FloorStudy::measure_texture(const PictureGrid& grid, int bottom, int top) {
@@ -121,7 +140,8 @@ FloorStudy::Verdict FloorStudy::run(const PictureGrid& grid, const std::vector<C
   sample(grid, spans, bottom, top);
   if (sample_count_ < kColumns * kRows / 4) return Verdict::no_pattern;
   if (glaring_ * 10 > sample_count_ * 6) return Verdict::glaring;
-  find_hanging();
+  look_along_columns();
+  look_along_rows();
   if (!choose_floor()) return Verdict::no_pattern;
   if (main_look_.light < kDarkest) return Verdict::dark;
   measure_texture(grid, bottom, top);

@@ -33,10 +33,11 @@ class FloorStudy {
   static constexpr int kGroups = 10;
   static constexpr int kNoGroup = -1;
   struct Group {
-    Look seed;
     int light_sum = 0, red_sum = 0, blue_sum = 0;
     int size = 0;
-    int hanging = 0;  ///< samples in runs that touch the strip's top but not the picture's foot
+    int foot_columns = 0;   ///< columns that it begins
+    int inner_columns = 0;  ///< columns where something else lies both below and above it
+    int parted_rows = 0;    ///< rows where something else lies between two parts of it
     bool floor = false;
   };
   struct Sample {
@@ -46,7 +47,8 @@ class FloorStudy {
 
   void sample(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, int bottom, int top);
   int group_of(const Look& look);
-  void find_hanging();
+  void look_along_columns();
+  void look_along_rows();
   bool choose_floor();
   void measure_texture(const PictureGrid& grid, int bottom, int top);
 

@@ -19,13 +19,14 @@ constexpr double kLongestBlind_m =
 double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// How far along the unit vector `ray` from the origin the segment a-b is crossed; NaN when it is not.
-double crossing_m(const Vector2d& ray, const Vector2d& a, const Vector2d& b) {
+/// `slack` is the share of the segment by which it may be missed.
+double crossing_m(const Vector2d& ray, const Vector2d& a, const Vector2d& b, double slack) {
   const Vector2d along = b - a;
   const double slant = cross(ray, along);
   if (std::abs(slant) < 1e-12) return kNan;
   const double share = cross(a, ray) / slant;
   const double distance_m = cross(a, along) / slant;
-  return share >= 0 && share <= 1 && distance_m > 0 ? distance_m : kNan;
+  return share >= -slack && share <= 1 + slack && distance_m > 0 ? distance_m : kNan;
 }
 
 bool is_place(Answer answer) { return answer == Answer::blocked || answer == Answer::clear; }
@@ -114,7 +115,7 @@ void Sweep::cross_one(SonarReading& reading, const ColumnEnd& left, const Column
     return;
   }
   const Vector2d ray(std::cos(reading.bearing_rad), std::sin(reading.bearing_rad));
-  double distance_m = crossing_m(ray, left.end_R_m, right.end_R_m);
+  double distance_m = crossing_m(ray, left.end_R_m, right.end_R_m, 1e-3);
   if (std::isnan(distance_m)) distance_m = nearer.end_R_m.norm();
   const double turn_rad = std::abs(relative_rad(left.end_R_m) - relative_rad(right.end_R_m));
   const double slope_m = turn_rad > 1e-4 ? gap_m / turn_rad * sigma_heading_rad_ : 0;
@@ -136,7 +137,7 @@ void Sweep::side(const ColumnEnd& edge) {
       std::max(relative_rad(columns_.front().foot_R_m), relative_rad(columns_.back().foot_R_m));
   for_bearings(relative_rad(edge.foot_R_m), relative_rad(edge.end_R_m), [&](SonarReading& reading) {
     const Vector2d ray(std::cos(reading.bearing_rad), std::sin(reading.bearing_rad));
-    const double side_m = crossing_m(ray, edge.foot_R_m, edge.end_R_m);
+    const double side_m = crossing_m(ray, edge.foot_R_m, edge.end_R_m, 0);
     if (std::isnan(side_m)) return;
     const double relative = wrap_rad(reading.bearing_rad - heading_rad_);
     if (relative >= low - 1e-9 && relative <= high + 1e-9) {

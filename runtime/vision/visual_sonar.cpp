@@ -29,6 +29,7 @@ struct VisualSonar::Impl {
   bool prepare_size(const cv::Mat& bgr);
   void prepare_neck(const NeckAngles& neck);
   bool scan_all(const Pose2& X_OR, const NeckAngles& neck);
+  void see_nothing();
   void to_floor(std::size_t column);
   void fill(SonarPercept& percept, const NeckAngles& neck);
 
@@ -105,6 +106,14 @@ bool VisualSonar::Impl::scan_all(const Pose2& X_OR, const NeckAngles& neck) {
   return memory.scan(grid, spans, scale, scan, X_OR, neck, results);
 }
 
+/// A picture that cannot be judged: only what lies above the horizon is known, whatever it shows.
+void VisualSonar::Impl::see_nothing() {
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const bool above = spans[i].bottom_row >= 0 && spans[i].horizon_row >= spans[i].bottom_row;
+    results[i] = {.end = above ? ColumnResult::End::above_horizon : ColumnResult::End::nothing};
+  }
+}
+
 /// What a column found, as an answer about places on the floor.
 void VisualSonar::Impl::to_floor(std::size_t i) {
   using End = ColumnResult::End;
@@ -159,9 +168,9 @@ SonarPercept VisualSonar::look(const Frame& frame, const NeckAngles& neck, const
     impl.prepare_neck(neck);
     impl.grid.look_at(frame.bgr);
     percept.floor_model_trusted = impl.scan_all(X_OR, neck);
-    if (percept.floor_model_trusted) impl.fill(percept, neck);
-  }
-  if (!percept.floor_model_trusted) {
+    if (!percept.floor_model_trusted) impl.see_nothing();
+    impl.fill(percept, neck);
+  } else {
     sweep({}, neck.pan_rad + robot.mount.yaw_rad, robot.camera.hfov_rad() / 2, 0, percept.readings);
   }
   return percept;

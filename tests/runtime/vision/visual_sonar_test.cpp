@@ -1,0 +1,213 @@
+#include "vision/visual_sonar.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+#include "scene.h"
+
+namespace mirada::vision {
+namespace {
+
+using testing::Box;
+using testing::Floor;
+using testing::Light;
+using testing::Scene;
+
+RobotConfig robot() {
+  RobotConfig out;
+  out.mount.p_TM_m = {0.05, 0, 0.20};
+  out.mount.tilt_rad = rad(22);
+  return out;
+}
+
+Scene room_with_box(double ahead_m, double left_m) {
+  Scene scene;
+  scene.room_x_m = scene.room_y_m = 2.2;
+  scene.wall_colour = {0.7, 0.6, 0.4};
+  scene.boxes.push_back(Box{ahead_m, left_m, 0, 0.2, 0.3, 0.25, {0.1, 0.1, 0.7}});
+  return scene;
+}
+
+const SonarReading& at(const SonarPercept& percept, int bearing_deg) {
+  for (const SonarReading& reading : percept.readings) {
+    if (std::lround(deg(reading.bearing_rad)) == bearing_deg) return reading;
+  }
+  static const SonarReading none;
+  ADD_FAILURE() << "no reading at " << bearing_deg;
+  return none;
+}
+
+SonarPercept look_once(const cv::Mat& bgr, const NeckAngles& neck = {}, const SonarSettings& settings = {}) {
+  VisualSonar sonar(robot(), settings);
+  return sonar.look(Frame{bgr, 10, 1}, neck, {});
+}
+
+void expect_nothing_seen(const SonarPercept& percept) {
+  EXPECT_FALSE(percept.floor_model_trusted);
+  EXPECT_EQ(percept.readings.size(), 63u);
+  for (const SonarReading& reading : percept.readings) EXPECT_EQ(reading.answer, Answer::not_seen);
+}
+
+class EveryFloor : public ::testing::TestWithParam<Floor> {};
+
+TEST_P(EveryFloor, ABoxAheadIsReadAtItsTrueDistanceFromTheRobotsOrigin) {
+  Scene scene = room_with_box(0.8, 0);
+  scene.floor = GetParam();
+  scene.floor_colour = {0.2, 0.3, 0.25};
+  scene.second_colour = {0.1, 0.15, 0.12};
+  const SonarPercept percept = look_once(testing::render(scene, robot(), {}, {}));
+  ASSERT_TRUE(percept.floor_model_trusted);
+  for (const int bearing_deg : {-8, -4, 0, 4, 8}) {
+    const SonarReading& reading = at(percept, bearing_deg);
+    ASSERT_EQ(reading.answer, Answer::blocked) << bearing_deg;
+    const double truth_m = testing::true_distance_m(scene, {}, rad(bearing_deg));
+    EXPECT_NEAR(reading.distance_m, truth_m, 0.02 * truth_m) << bearing_deg;
+    EXPECT_GT(reading.sigma_m, 0.002);
+    EXPECT_LT(reading.sigma_m, 0.1);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Floors, EveryFloor,
+                         ::testing::Values(Floor::plain, Floor::carpet, Floor::planks, Floor::tiles,
+                                           Floor::checker, Floor::terrazzo));
+
+TEST(VisualSonar, PanIsPositiveToTheLeft) {
+  const Scene scene = room_with_box(0, 0.8);
+  const NeckAngles neck{rad(80), 0};
+  const SonarPercept percept = look_once(testing::render(scene, robot(), {}, neck), neck);
+  const SonarReading& reading = at(percept, 90);
+  ASSERT_EQ(reading.answer, Answer::blocked);
+  EXPECT_NEAR(reading.distance_m, testing::true_distance_m(scene, {}, rad(90)), 0.02);
+}
+
+TEST(VisualSonar, ClearGoesToTheRangeWhenNothingIsNearer) {
+  Scene scene = room_with_box(1.2, 1.2);
+  SonarSettings settings;
+  settings.range_m = 1.5;
+  const SonarPercept percept = look_once(testing::render(scene, robot(), {}, {}), {}, settings);
+  EXPECT_EQ(at(percept, 0).answer, Answer::clear);
+  EXPECT_NEAR(at(percept, 0).distance_m, 1.55, 0.02);
+}
+
+TEST(VisualSonar, AnObstacleWhoseFootIsBelowThePictureBlocksAtTheNearestVisibleGround) {
+  Scene scene = room_with_box(0.31, 0.22);
+  scene.boxes[0].height_m = 0.6;
+  const SonarPercept percept = look_once(testing::render(scene, robot(), {}, {}));
+  ASSERT_TRUE(percept.floor_model_trusted);
+  const SonarReading& reading = at(percept, 22);
+  EXPECT_EQ(reading.answer, Answer::blocked);
+  EXPECT_LT(reading.distance_m, 0.34);
+}
+
+TEST(VisualSonar, NoseToAWallNothingIsSeen) {
+  for (const double wall_m : {0.12, 0.2}) {
+    Scene scene;
+    scene.room_x_m = wall_m;
+    expect_nothing_seen(look_once(testing::render(scene, robot(), {}, {})));
+  }
+}
+
+TEST(VisualSonar, PicturesThatCannotBeTrustedShowNothing) {
+  expect_nothing_seen(look_once(cv::Mat(240, 320, CV_8UC3, cv::Scalar::all(0))));
+  expect_nothing_seen(look_once(cv::Mat(240, 320, CV_8UC3, cv::Scalar::all(255))));
+  expect_nothing_seen(look_once(cv::Mat(240, 320, CV_8UC3, cv::Scalar::all(128))));
+  cv::Mat noise(240, 320, CV_8UC3);
+  cv::RNG rng(4);
+  rng.fill(noise, cv::RNG::UNIFORM, 0, 256);
+  expect_nothing_seen(look_once(noise));
+  expect_nothing_seen(look_once(cv::Mat()));
+  expect_nothing_seen(look_once(cv::Mat(1, 1, CV_8UC3)));
+  expect_nothing_seen(look_once(cv::Mat(240, 240, CV_8UC3, cv::Scalar(90, 120, 80))));
+  expect_nothing_seen(look_once(cv::Mat(240, 320, CV_8UC1, cv::Scalar(90))));
+}
+
+TEST(VisualSonar, ABadPictureAfterGoodOnesShowsNothingEither) {
+  VisualSonar sonar(robot());
+  const Scene scene = room_with_box(0.8, 0);
+  const cv::Mat good = testing::render(scene, robot(), {}, {});
+  EXPECT_TRUE(sonar.look(Frame{good, 0, 1}, {}, {}).floor_model_trusted);
+  expect_nothing_seen(sonar.look(Frame{cv::Mat(240, 320, CV_8UC3, cv::Scalar::all(0)), 1, 2}, {}, {}));
+  expect_nothing_seen(sonar.look(Frame{cv::Mat(240, 320, CV_8UC3, cv::Scalar::all(255)), 2, 3}, {}, {}));
+  EXPECT_TRUE(sonar.look(Frame{good, 3, 4}, {}, {}).floor_model_trusted);
+}
+
+TEST(VisualSonar, AFrozenCameraIsNoticedWhenTheRobotMoves) {
+  VisualSonar sonar(robot());
+  const cv::Mat same = testing::render(room_with_box(0.8, 0), robot(), {}, {});
+  EXPECT_TRUE(sonar.look(Frame{same, 0, 1}, {}, {0, 0, 0}).floor_model_trusted);
+  EXPECT_TRUE(sonar.look(Frame{same, 1, 2}, {}, {0, 0, 0}).floor_model_trusted);
+  expect_nothing_seen(sonar.look(Frame{same, 2, 3}, {}, {0.05, 0, 0}));
+}
+
+TEST(VisualSonar, APictureTwiceTheSizeReadsTheSame) {
+  const Scene scene = room_with_box(0.8, 0.1);
+  RobotConfig large = robot();
+  large.camera = large.camera.scaled_to(640, 480);
+  const SonarPercept percept = look_once(testing::render(scene, large, {}, {}));
+  ASSERT_EQ(at(percept, 5).answer, Answer::blocked);
+  EXPECT_NEAR(at(percept, 5).distance_m, testing::true_distance_m(scene, {}, rad(5)), 0.02);
+}
+
+TEST(VisualSonar, ACameraThatLooksUpSeesOnlyAboveTheHorizon) {
+  RobotConfig up = robot();
+  up.mount.tilt_rad = rad(-40);
+  VisualSonar sonar(up);
+  const SonarPercept percept =
+      sonar.look(Frame{testing::render(room_with_box(0.8, 0), up, {}, {}), 0, 1}, {}, {});
+  EXPECT_EQ(at(percept, 0).answer, Answer::above_horizon);
+  EXPECT_TRUE(std::isnan(at(percept, 0).distance_m));
+}
+
+TEST(VisualSonar, APaintedLineIsAnObstacleOnlyWhenAskedFor) {
+  Scene scene;
+  scene.floor = Floor::field;
+  scene.floor_colour = {0.06, 0.22, 0.05};
+  scene.wall_colour = {0.3, 0.2, 0.6};
+  const Pose2 X_WR{-0.7, 0, 0};  // lines at 0.1 m (the circle, below the picture) and 0.7 m ahead
+  const cv::Mat bgr = testing::render(scene, robot(), X_WR, {});
+  EXPECT_GT(at(look_once(bgr), 0).distance_m, 1.4);
+  SonarSettings settings;
+  settings.lines_are_obstacles = true;
+  EXPECT_NEAR(at(look_once(bgr, {}, settings), 0).distance_m, 0.675, 0.03);
+}
+
+TEST(VisualSonar, ThePapersMethodFindsItsGreenBorder) {
+  Scene scene = room_with_box(0.8, 0);
+  scene.boxes[0].colour = {0.05, 0.4, 0.1};
+  SonarSettings settings;
+  settings.floor = SonarSettings::Floor::fixed_colour;
+  const SonarPercept percept = look_once(testing::render(scene, robot(), {}, {}), {}, settings);
+  ASSERT_EQ(at(percept, 0).answer, Answer::blocked);
+  EXPECT_NEAR(at(percept, 0).distance_m, 0.7, 0.02);
+  EXPECT_EQ(at(percept, 25).answer, Answer::clear);
+}
+
+TEST(VisualSonar, ForgettingLetsANewFloorBeLearnt) {
+  VisualSonar sonar(robot());
+  Scene red = room_with_box(0.8, 0);
+  red.floor_colour = {0.05, 0.05, 0.5};
+  Scene blue = room_with_box(0.6, 0);
+  blue.floor_colour = {0.5, 0.1, 0.05};
+  EXPECT_NEAR(at(sonar.look(Frame{testing::render(red, robot(), {}, {}), 0, 1}, {}, {}), 0).distance_m, 0.7,
+              0.02);
+  const Frame second{testing::render(blue, robot(), {}, {}), 1, 2};
+  EXPECT_LT(at(sonar.look(second, {}, {}), 0).distance_m, 0.3);  // not the floor it knows: blocked, not clear
+  sonar.forget();
+  EXPECT_NEAR(at(sonar.look(second, {}, {}), 0).distance_m, 0.5, 0.02);
+}
+
+TEST(VisualSonar, CarriesTheFramesNumberTimeAndPose) {
+  VisualSonar sonar(robot());
+  const SonarPercept percept = sonar.look(
+      Frame{testing::render(room_with_box(0.8, 0), robot(), {}, {0.1, 0}), 77, 9}, {0.1, 0}, {1, 2, 3});
+  EXPECT_EQ(percept.frame, 9u);
+  EXPECT_EQ(percept.t_exposure, 77);
+  EXPECT_EQ(percept.neck.pan_rad, 0.1);
+  EXPECT_EQ(percept.X_OR.y_m, 2);
+  EXPECT_EQ(percept.boundary.size(), 80u);
+}
+
+}  // namespace
+}  // namespace mirada::vision
