@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <opencv2/imgproc.hpp>
+
 #include "base/random.h"
 
 namespace mirada::world {
@@ -30,7 +32,6 @@ Finish::Finish(const RayTable& rays, const NoiseConfig& noise, std::uint64_t see
           static_cast<std::uint16_t>(sees ? 256 * (1 - noise.vignette * r2 * std::sqrt(r2)) : 0));
     }
   }
-  if (noise.sensor <= 0) return;
   Random random(seed, "sensor noise");
   noise_.create(height_ + kOffsets_y, width_ + kOffsets_x, CV_8SC3);
   for (int y = 0; y < noise_.rows; ++y) {
@@ -51,20 +52,19 @@ cv::Mat Finish::develop(const std::vector<std::uint32_t>& bgra, std::uint64_t ch
   const std::uint64_t offset = mixed(chance + 0x9E3779B97F4A7C15ULL);
   const int left = static_cast<int>(offset % kOffsets_x);
   const int top = static_cast<int>((offset >> 20) % kOffsets_y);
-  static constexpr std::int8_t kQuiet[3] = {0, 0, 0};
+  const cv::Mat painted(height_, width_, CV_8UC4, const_cast<std::uint32_t*>(bgra.data()),
+                        static_cast<std::size_t>(stride_) * sizeof(std::uint32_t));
+  cv::cvtColor(painted, out, cv::COLOR_BGRA2BGR);
+  const int channels = width_ * 3;
   for (int y = 0; y < height_; ++y) {
-    const std::uint32_t* in = bgra.data() + static_cast<std::ptrdiff_t>(y) * stride_;
-    const std::uint16_t* bright = bright_.data() + static_cast<std::ptrdiff_t>(y) * width_;
-    const std::int8_t* noise = noise_.empty() ? kQuiet : noise_.ptr<std::int8_t>(y + top) + 3 * left;
-    const int stride = noise_.empty() ? 0 : 3;
-    std::uint8_t* pixel = out.ptr<std::uint8_t>(y);
-    for (int x = 0; x < width_; ++x, pixel += 3, noise += stride) {
-      const std::uint32_t colour = in[x];
-      const int share = bright[x];
-      for (int c = 0; c < 3; ++c) {
-        const int value = ((static_cast<int>((colour >> (8 * c)) & 0xFF) * share) >> 8) + noise[c];
-        pixel[c] = static_cast<std::uint8_t>(std::clamp(value, 0, 255));
-      }
+    const std::uint16_t* bright = bright_.data() + static_cast<std::ptrdiff_t>(y) * channels;
+    const std::int8_t* noise = noise_.ptr<std::int8_t>(y + top) + static_cast<std::ptrdiff_t>(3) * left;
+    std::uint8_t* value = out.ptr<std::uint8_t>(y);
+    for (int i = 0; i < channels; ++i) {
+      const auto lit = static_cast<std::uint16_t>(static_cast<std::uint16_t>(value[i]) * bright[i]);
+      const auto sum = static_cast<std::int16_t>((lit >> 8) + noise[i]);
+      const std::int16_t floored = sum < 0 ? std::int16_t{0} : sum;
+      value[i] = static_cast<std::uint8_t>(floored > 255 ? std::int16_t{255} : floored);
     }
   }
   return out;

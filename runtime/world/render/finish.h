@@ -20,7 +20,7 @@ class Finish {
 
  private:
   int width_, height_, stride_;
-  std::vector<std::uint16_t> bright_;  ///< 256 = unchanged, per pixel
+  std::vector<std::uint16_t> bright_;  ///< 256 = unchanged, per channel of each pixel
   cv::Mat noise_;                      ///< CV_8SC3, larger than the picture by the offsets
 };
 

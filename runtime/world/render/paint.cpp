@@ -33,11 +33,21 @@ void add_layer(cv::Mat& sum, double cell_x, double cell_y, double weight, Random
 }  // namespace
 
 cv::Mat grain_noise(cv::Size size, double cell_px, double stretch, int octaves, Random& random) {
+  // What has no detail finer than a few pixels is made small and enlarged.
+  const double finest = cell_px * std::min(stretch, 1.0) / (1 << (octaves - 1));
+  const int shrink = std::clamp(static_cast<int>(finest / 2), 1, 32);
+  if (shrink > 1) {
+    const cv::Size small((size.width + shrink - 1) / shrink, (size.height + shrink - 1) / shrink);
+    cv::Mat out;
+    cv::resize(grain_noise(small, cell_px / shrink, stretch, octaves, random), out, size, 0, 0,
+               cv::INTER_LINEAR);
+    return out;
+  }
   const cv::Size patch(std::min(size.width, kPatch_px), std::min(size.height, kPatch_px));
   cv::Mat sum = cv::Mat::zeros(patch, CV_32F);
   double weight = 1, total = 0;
   for (int i = 0; i < octaves && cell_px >= 1; ++i) {
-    add_layer(sum, cell_px * stretch, cell_px, weight, random);
+    add_layer(sum, std::max(cell_px * stretch, 1.0), cell_px, weight, random);
     total += weight;
     weight /= 2;
     cell_px /= 2;
@@ -57,7 +67,9 @@ cv::Mat soft_noise(cv::Size size, double cell_px, int octaves, Random& random) {
 cv::Scalar bgr(Colour colour) { return {double(colour.b), double(colour.g), double(colour.r)}; }
 
 cv::Mat plain(cv::Size size, Colour colour) {
-  return {std::max(size.height, 2), std::max(size.width, 2), CV_8UC3, bgr(colour)};
+  // Sizes that halve well make halving fast.
+  const auto rounded = [](int px) { return std::max(16, (px + 15) / 16 * 16); };
+  return {rounded(size.height), rounded(size.width), CV_8UC3, bgr(colour)};
 }
 
 Colour shade(Colour colour, double share) {

@@ -15,6 +15,7 @@ cv::Mat soft_noise(cv::Size size, double cell_px, int octaves, Random& random);
 cv::Mat grain_noise(cv::Size size, double cell_px, double stretch, int octaves, Random& random);
 
 cv::Scalar bgr(Colour colour);
+/// One colour; the size is rounded up to multiples of 16.
 cv::Mat plain(cv::Size size, Colour colour);
 /// A colour made lighter (share > 1) or darker.
 Colour shade(Colour colour, double share);
@@ -26,7 +27,7 @@ void modulate(cv::Mat& bgr8, const cv::Mat& noise, double amount);
 /// Multiplies the channels.
 void light(cv::Mat& bgr8, double share, const cv::Vec3f& tint_bgr);
 
-/// A floor pattern of this size. px_per_m: its scale.
+/// A floor pattern of this size, rounded up to multiples of 64. px_per_m: its scale.
 cv::Mat floor_pattern(const FloorConfig& floor, cv::Size size, double px_per_m, Random& random);
 /// Lines, the light's gradient and shadows are put on it; W frame given by the upper left corner (min_x,
 /// max_y).

@@ -157,7 +157,8 @@ std::vector<cv::Point2d> shadow_of(const Shape& shape, const Eigen::Vector2d& of
 }  // namespace
 
 cv::Mat floor_pattern(const FloorConfig& floor, cv::Size size, double px_per_m, Random& random) {
-  cv::Mat out = plain(size, floor.colour);
+  const auto rounded = [](int px) { return (px + 63) / 64 * 64; };
+  cv::Mat out = plain({rounded(size.width), rounded(size.height)}, floor.colour);
   const Pattern p{out, floor, px_per_m, random};
   switch (floor.kind) {
     case FloorKind::plain:

@@ -9,7 +9,7 @@ namespace mirada::world::paint {
 namespace {
 
 // The face is painted on a canvas of this size; positions below are in its pixels.
-constexpr int kWidth = 252;
+constexpr int kWidth = 256;
 constexpr int kHeight = 320;
 constexpr int kMiddle = kWidth / 2;
 

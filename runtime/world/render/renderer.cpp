@@ -12,12 +12,81 @@ namespace {
 constexpr int kTile = RayTable::kTile_px;
 constexpr std::uint32_t kMiddleDither = 1U << 22;
 
-/// Ordered dither, in parts of 2^23.
-constexpr std::array<std::array<std::uint32_t, 4>, 4> kBayer = {
-    {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}}};
+/// Ordered dither over 8 x 4 pixels, in parts of 2^23.
+constexpr auto kDither = [] {
+  constexpr int kBayer[4][4] = {{0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+  std::array<std::array<std::uint32_t, kTile>, 4> out{};
+  for (std::size_t y = 0; y < 4; ++y) {
+    for (std::size_t x = 0; x < kTile; ++x)
+      out[y][x] = static_cast<std::uint32_t>(2 * kBayer[y][x & 3] + 1) << 18;
+  }
+  return out;
+}();
 std::uint32_t dither_at(int x, int y) {
-  return (2 * kBayer[static_cast<std::size_t>(y & 3)][static_cast<std::size_t>(x & 3)] + 1) << 18;
+  return kDither[static_cast<std::size_t>(y & 3)][static_cast<std::size_t>(x & 7)];
 }
+
+/// Eight neighbouring pixels of floor: where they lie on the floor's texture, in sixteenths of a texel.
+struct FloorRow {
+  struct Scene {
+    explicit Scene(const SceneView& view)
+        : r(view.rotation),
+          per_16(view.stage->floor_texels_per_m * 16),
+          u0((view.at_m.x() - view.stage->floor_min_x_m) * per_16),
+          v0((view.stage->floor_max_y_m - view.at_m.y()) * per_16),
+          height(view.at_m.z()),
+          deep(view.pixel_y * per_16),
+          wide(view.pixel_x * view.stage->floor_texels_per_m) {
+      const Texture& map = view.stage->textures[view.stage->floor_texture];
+      u_high = (map.width() - 65) * 16;
+      v_high = (map.height() - 65) * 16;
+    }
+    Eigen::Matrix3f r;
+    float per_16, u0, v0, height, deep, wide, u_high, v_high;
+  };
+
+  void aim(const Scene& s, const float* rx, const float* ry, int taps, const std::uint32_t* dither) {
+    const float share = 1 / (16 * static_cast<float>(taps));
+    const float share2 = share * share;
+    const float r00 = s.r(0, 0), r01 = s.r(0, 1), r02 = s.r(0, 2), r10 = s.r(1, 0), r11 = s.r(1, 1),
+                r12 = s.r(1, 2);
+    const float r20 = s.r(2, 0), r21 = s.r(2, 1), r22 = s.r(2, 2);
+    for (std::size_t x = 0; x < kTile; ++x) {
+      const float dx = r00 * rx[x] + r01 * ry[x] + r02;
+      const float dy = r10 * rx[x] + r11 * ry[x] + r12;
+      const float per_drop = -1 / (r20 * rx[x] + r21 * ry[x] + r22);
+      const float t = s.height * per_drop;
+      u[x] = s.u0 + t * dx * s.per_16;
+      v[x] = s.v0 - t * dy * s.per_16;
+      // How the place moves a pixel further down.
+      const float drop = r21 * per_drop;
+      du[x] = t * s.deep * (r01 + dx * drop);
+      dv[x] = -t * s.deep * (r11 + dy * drop);
+      const float across2 = t * t * s.wide * s.wide;
+      const float along2 = (du[x] * du[x] + dv[x] * dv[x]) * share2;
+      footprint2[x] = along2 > across2 ? along2 : across2;
+    }
+    for (std::size_t x = 0; x < kTile; ++x) level[x] = Texture::halved_level(footprint2[x], dither[x]);
+  }
+
+  void tap(const Scene& s, float offset) {
+    // Far off a pixel may reach past the floor's map.
+    constexpr float kLow = 16 * 64;
+    for (std::size_t x = 0; x < kTile; ++x) {
+      const float uu = u[x] + offset * du[x];
+      const float vv = v[x] + offset * dv[x];
+      const float u_low = uu > kLow ? uu : kLow;
+      const float v_low = vv > kLow ? vv : kLow;
+      u16[x] = static_cast<int>(u_low < s.u_high ? u_low : s.u_high);
+      v16[x] = static_cast<int>(v_low < s.v_high ? v_low : s.v_high);
+    }
+  }
+
+  std::array<int, kTile> u16, v16, level;
+
+ private:
+  std::array<float, kTile> u, v, du, dv, footprint2;
+};
 
 // Four samples of a pixel on a turned grid, in pixels from its middle.
 constexpr std::array<std::array<float, 2>, 4> kSamples = {
@@ -65,44 +134,23 @@ void Renderer::Impl::mixed_tile(std::size_t start, const TileSorter::Tile& tile)
 
 void Renderer::Impl::floor_tile(std::size_t start, const TileSorter::Tile& tile) {
   const Texture& texture = stage.textures[stage.floor_texture];
-  const float per_m = stage.floor_texels_per_m;
-  const Eigen::Matrix3f r = view.rotation;
-  const float height = view.at_m.z();
-  const float u0 = (view.at_m.x() - stage.floor_min_x_m) * per_m;
-  const float v0 = (stage.floor_max_y_m - view.at_m.y()) * per_m;
+  const FloorRow::Scene scene(view);
   const int taps = tile.floor_taps;
-  const float share = 1.0F / static_cast<float>(taps);
-  const float share2 = share * share;
   const auto part = static_cast<std::uint32_t>(256 / taps);
+  FloorRow line;
   for (int y = 0; y < kTile; ++y) {
     const std::size_t row = start + static_cast<std::size_t>(y * rays.stride);
-    const float* rx = rays.x.data() + row;
-    const float* ry = rays.y.data() + row;
-    std::array<float, kTile> u, v, du, dv, footprint2;
-    for (std::size_t x = 0; x < kTile; ++x) {
-      const float dx = r(0, 0) * rx[x] + r(0, 1) * ry[x] + r(0, 2);
-      const float dy = r(1, 0) * rx[x] + r(1, 1) * ry[x] + r(1, 2);
-      const float dz = r(2, 0) * rx[x] + r(2, 1) * ry[x] + r(2, 2);
-      const float t = -height / dz;
-      u[x] = u0 + t * dx * per_m;
-      v[x] = v0 - t * dy * per_m;
-      const float drop = -r(2, 1) / dz;
-      const float k = t * view.pixel_y * per_m;
-      du[x] = k * (r(0, 1) + dx * drop);
-      dv[x] = -k * (r(1, 1) + dy * drop);
-      const float across = t * view.pixel_x * per_m;
-      const float along2 = (du[x] * du[x] + dv[x] * dv[x]) * share2;
-      footprint2[x] = along2 > across * across ? along2 : across * across;
+    line.aim(scene, rays.x.data() + row, rays.y.data() + row, taps,
+             kDither[static_cast<std::size_t>(y & 3)].data());
+    std::array<Lanes, kTile> sum{};
+    for (int i = 0; i < taps; ++i) {
+      line.tap(scene, (static_cast<float>(i) + 0.5F) / static_cast<float>(taps) - 0.5F);
+      for (std::size_t x = 0; x < kTile; ++x) {
+        sum[x] += texture.sample_halved(line.level[x], line.u16[x], line.v16[x]) >> 8 & 0x00FF00FF00FF00FFULL;
+      }
     }
     for (std::size_t x = 0; x < kTile; ++x) {
-      const Texture::Level& level = texture.level(footprint2[x], dither_at(static_cast<int>(x), y));
-      Lanes sum = 0;
-      for (int i = 0; i < taps; ++i) {
-        const float offset = (static_cast<float>(i) + 0.5F) * share - 0.5F;
-        sum +=
-            Texture::sample(level, u[x] + offset * du[x], v[x] + offset * dv[x]) >> 8 & 0x00FF00FF00FF00FFULL;
-      }
-      pixels[row + x] = packed(sum * part);
+      pixels[row + x] = packed(sum[x] * part);
       ids[row + x] = SceneView::kFloor;
     }
   }

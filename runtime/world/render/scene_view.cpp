@@ -131,7 +131,8 @@ void SceneView::view_rounds(const std::vector<Pose2>& people) {
 
 void SceneView::add_item(std::size_t item, const Vector2f* foot_m, std::size_t count, float reach_m,
                          float low_m, float high_m) {
-  std::array<Vector2f, 4> points = {Vector2f::Zero(), Vector2f::Zero(), Vector2f::Zero(), Vector2f::Zero()};  // {ahead, left} of the camera
+  std::array<Vector2f, 4> points = {Vector2f::Zero(), Vector2f::Zero(), Vector2f::Zero(),
+                                    Vector2f::Zero()};  // {ahead, left} of the camera
   float nearest = kEverywhere;
   float farthest = 0;
   for (std::size_t i = 0; i < count; ++i) {

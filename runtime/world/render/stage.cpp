@@ -25,6 +25,18 @@ double texels_per_m(double length_m, double wanted_per_m, double most_px) {
 
 Vector3f flat(const Vector2d& v, double z = 0) { return {float(v.x()), float(v.y()), float(z)}; }
 
+/// Whether any of the room lies to the right of a line from a to b: a face that looks out of it is never
+/// seen.
+bool in_view(const Bounds& bounds, const Vector2d& a, const Vector2d& b) {
+  const Vector2d right(b.y() - a.y(), a.x() - b.x());
+  for (const double x : {bounds.min_x_m, bounds.max_x_m}) {
+    for (const double y : {bounds.min_y_m, bounds.max_y_m}) {
+      if (right.dot(Vector2d(x, y) - a) > 1e-6) return true;
+    }
+  }
+  return false;
+}
+
 cv::Vec3f tint(const Lamp& lamp) { return {lamp.tint_bgr.x(), lamp.tint_bgr.y(), lamp.tint_bgr.z()}; }
 
 }  // namespace
@@ -95,8 +107,8 @@ void Stage::add_walls(const WorldConfig& world, std::uint64_t seed) {
       const double length = (b - a).norm();
       const double per_m = texels_per_m(std::max(length, wall.height_m), 250, 1500);
       const cv::Mat side = paint::wall(wall, length, per_m, random);
-      upright(a, b, wall.height_m, side);
-      upright(b, a, wall.height_m, side);
+      if (in_view(world.bounds, a, b)) upright(a, b, wall.height_m, side);
+      if (in_view(world.bounds, b, a)) upright(b, a, wall.height_m, side);
     }
   }
 }

@@ -11,8 +11,8 @@ Texture::Level padded_level(const cv::Mat& bgra, float full_width, float full_he
   out.texels.resize(static_cast<std::size_t>(out.stride) * static_cast<std::size_t>(bgra.rows + 1));
   cv::Mat view(bgra.rows + 1, out.stride, CV_8UC4, out.texels.data());
   cv::copyMakeBorder(bgra, view, 0, 1, 0, 1, cv::BORDER_REPLICATE);
-  out.scale_x = static_cast<float>(bgra.cols) / full_width;
-  out.scale_y = static_cast<float>(bgra.rows) / full_height;
+  out.scale_x = 16 * static_cast<float>(bgra.cols) / full_width;
+  out.scale_y = 16 * static_cast<float>(bgra.rows) / full_height;
   out.most_x = static_cast<float>(bgra.cols - 1) * 16;
   out.most_y = static_cast<float>(bgra.rows - 1) * 16;
   return out;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include <opencv2/core.hpp>
@@ -32,8 +33,8 @@ class Texture {
   struct Level {
     std::vector<std::uint32_t> texels;  ///< BGRA in memory, rows of stride, last row and column doubled
     int stride = 0;
-    float scale_x = 1, scale_y = 1;  ///< from texels of level 0
-    float most_x = 0, most_y = 0;    ///< largest coordinate, in sixteenths of a texel
+    float scale_x = 16, scale_y = 16;  ///< from texels of level 0 to sixteenths of this level's
+    float most_x = 0, most_y = 0;      ///< largest coordinate, in sixteenths of a texel
   };
 
   /// The level whose texels are about as wide as a footprint, given squared in texels of level 0; `dither` in
@@ -44,24 +45,54 @@ class Texture {
     return levels_[static_cast<std::size_t>(std::clamp(bits >> 24, 0, static_cast<int>(levels_.size()) - 1))];
   }
 
-  /// The colour at x, y in texels of level 0, whose first texel's middle is at 0.5, 0.5.
+  /// The colour at x, y in texels of level 0, whose first texel's middle is at 0.5, 0.5. Edges are clamped.
   static Lanes sample(const Level& level, float x, float y) {
-    const float xs = std::clamp(x * level.scale_x * 16 - 8, 0.0F, level.most_x);
-    const float ys = std::clamp(y * level.scale_y * 16 - 8, 0.0F, level.most_y);
-    const int xi = static_cast<int>(xs);
-    const int yi = static_cast<int>(ys);
-    const std::uint32_t* at = level.texels.data() + (yi >> 4) * level.stride + (xi >> 4);
-    const auto fx = static_cast<Lanes>(xi & 15);
-    const auto fy = static_cast<Lanes>(yi & 15);
-    const std::uint32_t* below = at + level.stride;
-    return spread(at[0]) * ((16 - fx) * (16 - fy)) + spread(at[1]) * (fx * (16 - fy)) +
-           spread(below[0]) * ((16 - fx) * fy) + spread(below[1]) * (fx * fy);
+    const float xs = x * level.scale_x - 8;
+    const float ys = y * level.scale_y - 8;
+    return at_sixteenths(level, static_cast<int>(std::min(std::max(xs, 0.0F), level.most_x)),
+                         static_cast<int>(std::min(std::max(ys, 0.0F), level.most_y)));
+  }
+
+  /// Levels up to this one are exact halvings, for a size that is a multiple of 64.
+  static constexpr int kHalved = 6;
+
+  /// The number of the level for a squared footprint, 0 to kHalved; as level().
+  static int halved_level(float footprint2, std::uint32_t dither) {
+    const int bits = std::bit_cast<std::int32_t>(footprint2) - (127 << 23) + static_cast<int>(dither << 1);
+    const int index = bits >> 24;
+    const int least = index > 0 ? index : 0;
+    return least < kHalved ? least : kHalved;
+  }
+
+  /// The colour at x, y in sixteenths of a texel of level 0, from a level up to kHalved; at least one of that
+  /// level's texels inside the edges.
+  Lanes sample_halved(int index, int x16, int y16) const {
+    return at_sixteenths(levels_[static_cast<std::size_t>(index)], (x16 >> index) - 8, (y16 >> index) - 8);
   }
 
   float width() const { return width_; }
   float height() const { return height_; }
 
  private:
+  /// Two texels side by side are one word: its even and its odd bytes are blended as lanes, first the rows,
+  /// then the columns.
+  static Lanes at_sixteenths(const Level& level, int xi, int yi) {
+    constexpr Lanes kEven = 0x00FF00FF00FF00FFULL;
+    const std::uint32_t* above = level.texels.data() + (yi >> 4) * level.stride + (xi >> 4);
+    Lanes a, b;
+    std::memcpy(&a, above, sizeof a);
+    std::memcpy(&b, above + level.stride, sizeof b);
+    const auto fx = static_cast<std::uint32_t>(xi & 15);
+    const auto fy = static_cast<Lanes>(yi & 15);
+    const Lanes even = (a & kEven) * (16 - fy) + (b & kEven) * fy;
+    const Lanes odd = ((a >> 8) & kEven) * (16 - fy) + ((b >> 8) & kEven) * fy;
+    const std::uint32_t low =
+        static_cast<std::uint32_t>(even) * (16 - fx) + static_cast<std::uint32_t>(even >> 32) * fx;
+    const std::uint32_t high =
+        static_cast<std::uint32_t>(odd) * (16 - fx) + static_cast<std::uint32_t>(odd >> 32) * fx;
+    return low | (static_cast<Lanes>(high) << 32);
+  }
+
   std::vector<Level> levels_;
   float width_ = 0, height_ = 0;
 };

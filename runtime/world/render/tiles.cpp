@@ -11,6 +11,7 @@ using Eigen::Vector3f;
 
 constexpr float kSlack = 0.06F;  // of a tile's own extent: the directions inside bend a little
 constexpr float kLeastSlack = 0.0015F;
+constexpr float kMapEdge = 65;          // texels: filtering may reach this far
 constexpr float kFloorSlope = -0.005F;  // flatter than this is too far to fill as floor
 
 }  // namespace
@@ -84,21 +85,32 @@ bool TileSorter::covered_by(const SceneView& view, std::size_t tile, std::size_t
   return true;
 }
 
-std::uint8_t TileSorter::taps(const SceneView& view, std::size_t tile) const {
+std::uint8_t TileSorter::taps(std::size_t tile) const {
   // The floor's footprint of a pixel is longer than wide by about 1 / sine of the angle that it is seen
   // under.
   const float slope = (s_low_[tile] + s_high_[tile]) / 2;
   const float longer = std::sqrt(1 + slope * slope) / std::max(-slope, 0.01F);
-  (void)view;
-  return static_cast<std::uint8_t>(std::clamp(static_cast<int>(longer * 0.6F + 0.5F), 1, 4));
+  return static_cast<std::uint8_t>(std::clamp(static_cast<int>(longer * 0.5F + 0.5F), 1, 4));
+}
+
+bool TileSorter::on_floor_map(const SceneView& view, std::size_t tile) const {
+  const Stage& stage = *view.stage;
+  const Texture& texture = stage.textures[stage.floor_texture];
+  for (const std::size_t i : corners_of(tile)) {
+    const float u = (corners_[i].floor_x_m - stage.floor_min_x_m) * stage.floor_texels_per_m;
+    const float v = (stage.floor_max_y_m - corners_[i].floor_y_m) * stage.floor_texels_per_m;
+    if (u < kMapEdge || v < kMapEdge || u > texture.width() - kMapEdge || v > texture.height() - kMapEdge)
+      return false;
+  }
+  return true;
 }
 
 TileSorter::Tile TileSorter::settle(const SceneView& view, std::size_t tile, std::uint32_t first,
                                     std::size_t count) {
-  Tile out{first, static_cast<std::uint16_t>(count), Kind::mixed, taps(view, tile)};
+  Tile out{first, static_cast<std::uint16_t>(count), Kind::mixed, taps(tile)};
   if (wild_[tile]) return out;
   if (count == 0) {
-    if (s_high_[tile] < kFloorSlope) out.kind = Kind::floor;
+    if (s_high_[tile] < kFloorSlope && on_floor_map(view, tile)) out.kind = Kind::floor;
     if (s_low_[tile] > 0.001F) out.kind = Kind::sky;
     return out;
   }

@@ -39,7 +39,8 @@ class TileSorter {
   bool all_floor_before(const SceneView& view, std::size_t tile, std::size_t quad) const;
   Tile settle(const SceneView& view, std::size_t tile, std::uint32_t first, std::size_t count);
   bool covered_by(const SceneView& view, std::size_t tile, std::size_t quad, float& farthest_m) const;
-  std::uint8_t taps(const SceneView& view, std::size_t tile) const;
+  std::uint8_t taps(std::size_t tile) const;
+  bool on_floor_map(const SceneView& view, std::size_t tile) const;
   /// The four corners of a tile, as indices into corners_.
   std::array<std::size_t, 4> corners_of(std::size_t tile) const;
 
