@@ -41,9 +41,7 @@ export default defineConfig({
     include: ['tests/**/*_test.ts'],
     // The Node entry of Blockly wants jsdom; its compressed core works headless without a page.
     alias: {
-      'blockly/core': fileURLToPath(
-        new URL('./node_modules/blockly/blockly_compressed.js', import.meta.url),
-      ),
+      'blockly/core': fileURLToPath(new URL('./node_modules/blockly/blockly_compressed.js', import.meta.url)),
     },
   },
 });

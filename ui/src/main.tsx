@@ -27,7 +27,10 @@ function chooseLanguage(robotLang: Lang): void {
 /** Blockly measures texts: the font must be there before the first block. */
 async function fontReady(): Promise<void> {
   await Promise.race([
-    Promise.all([document.fonts.load('700 16px "Nunito Variable"'), document.fonts.load('800 16px "Nunito Variable"')]),
+    Promise.all([
+      document.fonts.load('700 16px "Nunito Variable"'),
+      document.fonts.load('800 16px "Nunito Variable"'),
+    ]),
     new Promise((resolve) => setTimeout(resolve, 2000)),
   ]).catch(() => undefined);
 }

@@ -74,7 +74,11 @@ function Drive() {
 function stateWords(): string {
   if (link.value === 'connecting') return t('link_connecting');
   if (link.value === 'lost') return '…';
-  const states: Record<string, MessageKey> = { running: 'state_running', paused: 'state_paused', idle: 'state_idle' };
+  const states: Record<string, MessageKey> = {
+    running: 'state_running',
+    paused: 'state_paused',
+    idle: 'state_idle',
+  };
   return t(states[telemetry.value?.state ?? 'idle'] ?? 'state_idle');
 }
 
@@ -86,7 +90,12 @@ function RobotButton() {
   });
   const mood = link.value !== 'up' ? 'off' : running.value ? 'running' : 'ready';
   return (
-    <button type="button" class="button plain robot-button" aria-label={t('robot_and_room')} onClick={openSetup}>
+    <button
+      type="button"
+      class="button plain robot-button"
+      aria-label={t('robot_and_room')}
+      onClick={openSetup}
+    >
       <i class={`lamp ${mood}`} />
       <span>
         <b>{place}</b>
@@ -126,7 +135,11 @@ function openHelp(): void {
 
 function LanguageMenu() {
   return (
-    <Menu label={t('language')} button={<b data-testid="lang">{lang.value.toUpperCase()} ▾</b>} buttonClass="button plain">
+    <Menu
+      label={t('language')}
+      button={<b data-testid="lang">{lang.value.toUpperCase()} ▾</b>}
+      buttonClass="button plain"
+    >
       {(close) =>
         languages.map((code) => (
           <MenuItem

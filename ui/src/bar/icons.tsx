@@ -25,7 +25,10 @@ export const PauseIcon = () => (
 );
 export const PlayIcon = () => (
   <svg {...box}>
-    <path fill="currentColor" d="M7 4.800c0-1.100 1.200-1.800 2.100-1.200l10.200 6.900c.9.600.9 1.900 0 2.500L9.100 20.400C8.200 21 7 20.300 7 19.200z" />
+    <path
+      fill="currentColor"
+      d="M7 4.800c0-1.100 1.200-1.800 2.100-1.200l10.200 6.900c.9.600.9 1.900 0 2.500L9.100 20.400C8.200 21 7 20.300 7 19.200z"
+    />
   </svg>
 );
 export const UndoIcon = ({ flipped }: { flipped?: boolean }) => (
@@ -42,13 +45,25 @@ export const UndoIcon = ({ flipped }: { flipped?: boolean }) => (
 );
 export const StageIcon = () => (
   <svg {...box}>
-    <rect x="3" y="4.500" width="18" height="15" rx="3" fill="none" stroke="currentColor" stroke-width="2.200" />
+    <rect
+      x="3"
+      y="4.500"
+      width="18"
+      height="15"
+      rx="3"
+      fill="none"
+      stroke="currentColor"
+      stroke-width="2.200"
+    />
     <path d="M14.500 5v14" stroke="currentColor" stroke-width="2.200" />
   </svg>
 );
 export const Eye = () => (
   <svg width="30" height="30" viewBox="0 0 32 32" aria-hidden>
-    <path d="M2 16C6 8.500 11 5.500 16 5.500S26 8.500 30 16c-4 7.500-9 10.500-14 10.500S6 23.500 2 16z" fill="#1f2a44" />
+    <path
+      d="M2 16C6 8.500 11 5.500 16 5.500S26 8.500 30 16c-4 7.500-9 10.500-14 10.500S6 23.500 2 16z"
+      fill="#1f2a44"
+    />
     <circle cx="16" cy="16" r="7" fill="#fff" />
     <circle cx="17.500" cy="16" r="4.200" fill="#0f8f82" />
     <circle cx="19" cy="14.500" r="1.300" fill="#fff" />

@@ -23,7 +23,12 @@ async function openFile(now: Editor, file: File): Promise<void> {
 }
 
 function rename(now: Editor): void {
-  askText(t('project_name'), projectName.peek(), () => null, (name) => now.rename(name));
+  askText(
+    t('project_name'),
+    projectName.peek(),
+    () => null,
+    (name) => now.rename(name),
+  );
 }
 
 function remove(now: Editor): void {

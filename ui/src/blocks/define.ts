@@ -4,9 +4,9 @@ import { say, t } from '../messages';
 import { linkIn, linkOut } from '../model/chains';
 import { hiddenArgs } from '../model/placeholders';
 import { FieldAngle } from './field_angle';
-import { FieldName } from './fields';
+import { FieldAmount, FieldName } from './fields';
 import { keyNames, keyWords } from './keys';
-import { type Known, type PackArg, type PackBlock, type Catalog, cutText } from './pack';
+import { type Known, type PackArg, type PackBlock, type Catalog, cutText, endsStack } from './pack';
 import { defineProcedures, isProcedureType } from './procedure_blocks';
 import { definePlaceholder } from './unknown_block';
 
@@ -21,9 +21,15 @@ function makeField(arg: PackArg): Blockly.Field {
     case 'broadcast':
       return new FieldName('broadcast_msg');
     case 'key':
-      return withDefault(keyNames.map((key): [string, string] => [say(keyWords(key)), key]), arg);
+      return withDefault(
+        keyNames.map((key): [string, string] => [say(keyWords(key)), key]),
+        arg,
+      );
     default:
-      return withDefault((arg.options ?? []).map((o): [string, string] => [say(o.text), o.value]), arg);
+      return withDefault(
+        (arg.options ?? []).map((o): [string, string] => [say(o.text), o.value]),
+        arg,
+      );
   }
 }
 
@@ -62,14 +68,15 @@ export function appendSentence(block: Blockly.Block, definition: PackBlock): voi
 }
 
 /** Ends and colour of a block by its shape. */
-export function applyShape(block: Blockly.Block, shape: PackBlock['shape'], style: string): void {
+export function applyShape(block: Blockly.Block, definition: PackBlock, style: string): void {
+  const { shape } = definition;
   block.setInputsInline(true);
   block.setStyle(shape === 'hat' ? `${style}_hat` : style);
   if (shape === 'reporter') block.setOutput(true, 'Value');
   else if (shape === 'boolean') block.setOutput(true, ['Boolean', 'Value']);
   else {
     block.setPreviousStatement(shape !== 'hat');
-    block.setNextStatement(shape !== 'cap');
+    block.setNextStatement(!endsStack(definition));
   }
 }
 
@@ -77,7 +84,7 @@ function defineBlock({ pack, block: definition }: Known): void {
   Blockly.Blocks[definition.opcode] = {
     init(this: Blockly.Block) {
       appendSentence(this, definition);
-      applyShape(this, definition.shape, pack.id);
+      applyShape(this, definition, pack.id);
       if (definition.help) this.setTooltip(() => say(definition.help));
     },
   };
@@ -123,7 +130,7 @@ export function defineBlocks(catalog: Catalog): void {
       if (!isProcedureType(block.opcode)) defineBlock({ pack, block });
     }
   }
-  defineShadow('math_number', 'NUM', () => new Blockly.FieldNumber(0));
+  defineShadow('math_number', 'NUM', () => new FieldAmount(0));
   defineShadow('math_angle', 'NUM', () => new FieldAngle(0));
   defineShadow('text', 'TEXT', () => new Blockly.FieldTextInput(''));
   defineLinks();

@@ -37,7 +37,6 @@ function wedge(degrees: number): string {
 }
 
 function drawFace(svg: Element): void {
-  element('circle', { cx: middle, cy: middle, r: ring, class: 'dial-ring' }, svg);
   for (let degrees = -165; degrees <= 180; degrees += 15) {
     const from = pointAt(degrees, ring);
     const to = pointAt(degrees, degrees % 45 === 0 ? ring - 10 : ring - 5);
@@ -70,6 +69,7 @@ export function makeDial(label: string, changed: (degrees: number) => void): Dia
   svg.setAttribute('class', 'mirada-dial');
   svg.setAttribute('role', 'img');
   svg.setAttribute('aria-label', label);
+  element('circle', { cx: middle, cy: middle, r: ring, class: 'dial-ring' }, svg);
   const fan = element('path', { class: 'dial-fan' }, svg);
   drawFace(svg);
   drawRobot(svg);

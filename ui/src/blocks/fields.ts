@@ -53,6 +53,20 @@ export class FieldName extends Blockly.FieldVariable {
     }
     if (chosen === newId) askNewName(workspace, this.kind, (id) => this.setValue(id));
     else if (variable && chosen === renameId) renameVariable(workspace, variable);
-    else if (variable) Blockly.Variables.deleteVariable(workspace, variable, this.getSourceBlock() ?? undefined);
+    else if (variable)
+      Blockly.Variables.deleteVariable(workspace, variable, this.getSourceBlock() ?? undefined);
+  }
+}
+
+/** A number that may also be left empty, as in Scratch. */
+export class FieldAmount extends Blockly.FieldNumber {
+  protected override doClassValidation_(value?: unknown): number | null {
+    if (value === '') return '' as unknown as number;
+    return super.doClassValidation_(value);
+  }
+
+  /** Called by Blockly for the field's JSON. */
+  static override fromJson(options: Blockly.FieldNumberFromJsonConfig): FieldAmount {
+    return new FieldAmount(options.value);
   }
 }

@@ -11,11 +11,7 @@ const named: Record<string, Words> = {
   any: { en: 'any', es: 'cualquiera' },
 };
 
-export const keyNames: string[] = [
-  ...Object.keys(named),
-  ...'abcdefghijklmnopqrstuvwxyz',
-  ...'0123456789',
-];
+export const keyNames: string[] = [...Object.keys(named), ...'abcdefghijklmnopqrstuvwxyz', ...'0123456789'];
 
 export function keyWords(name: string): Words {
   return named[name] ?? { en: name, es: name };

@@ -20,11 +20,20 @@ function taken(workspace: Blockly.Workspace, kind: string, name: string, but?: V
 }
 
 /** Asks for a name and makes a variable, list or message of it. */
-export function askNewName(workspace: Blockly.WorkspaceSvg, kind: NameKind, done?: (id: string) => void): void {
-  askText(t(question[kind]), '', (name) => taken(workspace, kind, name), (name) => {
-    const id = workspace.getVariableMap().createVariable(name, kind).getId();
-    done?.(id);
-  });
+export function askNewName(
+  workspace: Blockly.WorkspaceSvg,
+  kind: NameKind,
+  done?: (id: string) => void,
+): void {
+  askText(
+    t(question[kind]),
+    '',
+    (name) => taken(workspace, kind, name),
+    (name) => {
+      const id = workspace.getVariableMap().createVariable(name, kind).getId();
+      done?.(id);
+    },
+  );
 }
 
 export function renameVariable(workspace: Blockly.WorkspaceSvg, variable: Variable): void {

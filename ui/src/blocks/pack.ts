@@ -3,16 +3,7 @@ import type { Words } from '../model/words';
 
 export type Shape = 'command' | 'reporter' | 'boolean' | 'hat' | 'cap' | 'c_block';
 export type ArgType =
-  | 'number'
-  | 'angle'
-  | 'text'
-  | 'boolean'
-  | 'menu'
-  | 'key'
-  | 'variable'
-  | 'list'
-  | 'broadcast'
-  | 'statements';
+  'number' | 'angle' | 'text' | 'boolean' | 'menu' | 'key' | 'variable' | 'list' | 'broadcast' | 'statements';
 
 export interface PackArg {
   name: string;
@@ -34,6 +25,8 @@ export interface PackBlock {
   implementation: string;
   visible?: boolean;
   toolbox?: boolean;
+  /** A C-block that nothing can follow. */
+  cap?: boolean;
 }
 
 export interface Pack {
@@ -82,6 +75,11 @@ export class Catalog {
     const has = (pack: Pack) => pack.blocks.some((block) => tells(block) && block.needs?.includes(percept));
     return this.packs.find(has)?.colour ?? otherwise;
   }
+}
+
+/** Whether a stack ends with this block. */
+export function endsStack(block: PackBlock): boolean {
+  return block.shape === 'cap' || block.cap === true;
 }
 
 /** The sentence of a block cut at its arguments: text and argument names by turns. */

@@ -47,7 +47,9 @@ export function argumentTypeOf(type: ParamType): string {
 
 export function shadowFor(type: ParamType): { type: string; fields: Record<string, unknown> } | null {
   if (type === 'boolean') return null;
-  return type === 'text' ? { type: 'text', fields: { TEXT: '' } } : { type: 'math_number', fields: { NUM: 0 } };
+  return type === 'text'
+    ? { type: 'text', fields: { TEXT: '' } }
+    : { type: 'math_number', fields: { NUM: 0 } };
 }
 
 function clearInputs(block: Blockly.Block): Map<string, Blockly.Block> {
@@ -90,7 +92,9 @@ function buildCall(this: ProcedureBlock): void {
     if (shadow && !this.isInFlyout) input.connection?.setShadowState(shadow);
     const child = held.get(param.id);
     if (child?.outputConnection && input.connection) {
-      const fits = input.connection.getConnectionChecker().canConnect(child.outputConnection, input.connection, false);
+      const fits = input.connection
+        .getConnectionChecker()
+        .canConnect(child.outputConnection, input.connection, false);
       if (fits) input.connection.connect(child.outputConnection);
     }
   });
@@ -153,11 +157,17 @@ export function setProcedure(block: ProcedureBlock, procedure: Procedure): void 
   const after = JSON.stringify(procedure);
   if (before === after) return;
   block.loadExtraState?.(procedure);
-  Blockly.Events.fire(new (Blockly.Events.get(Blockly.Events.BLOCK_CHANGE))(block, 'mutation', null, before, after));
+  Blockly.Events.fire(
+    new (Blockly.Events.get(Blockly.Events.BLOCK_CHANGE))(block, 'mutation', null, before, after),
+  );
 }
 
 /** Changes a definition and everything that uses it, as one step of undo. */
-export function changeProcedure(workspace: Blockly.Workspace, definition: ProcedureBlock, after: Procedure): void {
+export function changeProcedure(
+  workspace: Blockly.Workspace,
+  definition: ProcedureBlock,
+  after: Procedure,
+): void {
   const before = definition.procedure;
   Blockly.Events.setGroup(true);
   setProcedure(definition, after);
@@ -172,6 +182,7 @@ export function changeProcedure(workspace: Blockly.Workspace, definition: Proced
 
 function renameArgument(definition: ProcedureBlock, from: string, to: string): void {
   for (const block of definition.getDescendants(false)) {
-    if (argumentTypes.includes(block.type) && block.getFieldValue('VALUE') === from) block.setFieldValue(to, 'VALUE');
+    if (argumentTypes.includes(block.type) && block.getFieldValue('VALUE') === from)
+      block.setFieldValue(to, 'VALUE');
   }
 }

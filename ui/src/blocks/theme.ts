@@ -1,19 +1,40 @@
 import * as Blockly from 'blockly/core';
-import { shade } from './colour';
+import { shade, wantsDarkText } from './colour';
 import type { Catalog } from './pack';
 
 export const unknownColour = '#9aa1ad';
 export const fontFamily = '"Nunito Variable", "Nunito", system-ui, sans-serif';
 
 function styleOf(colour: string, hat: string) {
-  return { colourPrimary: colour, colourSecondary: shade(colour, -0.1), colourTertiary: shade(colour, -0.22), hat };
+  return {
+    colourPrimary: colour,
+    colourSecondary: shade(colour, -0.1),
+    colourTertiary: shade(colour, -0.22),
+    hat,
+  };
+}
+
+/** Rules for the packs whose hue is too light for white letters. */
+export function textRules(catalog: Catalog): string {
+  const light = catalog.packs.filter((pack) => wantsDarkText(pack.colour));
+  const styles = light.flatMap((pack) => [CSS.escape(pack.id), `${CSS.escape(pack.id)}_hat`]);
+  const fields = ['blocklyLabelField', 'blocklyDropdownField'];
+  const rules = styles.flatMap((style) =>
+    fields.map((field) => `.blocklyBlock.${style} > .${field} > .blocklyText`),
+  );
+  return rules.map((rule) => `.mirada-theme ${rule} { fill: #33270a; }`).join('\n');
 }
 
 /** Mirada's look of the blocks: zelos, one hue a pack. */
 export function makeTheme(catalog: Catalog): Blockly.Theme {
   const blockStyles: Record<string, Blockly.Theme.BlockStyle> = {
     mirada_unknown: styleOf(unknownColour, ''),
-    mirada_shadow: { colourPrimary: '#ffffff', colourSecondary: '#ffffff', colourTertiary: '#d5d9e0', hat: '' },
+    mirada_shadow: {
+      colourPrimary: '#ffffff',
+      colourSecondary: '#ffffff',
+      colourTertiary: '#d5d9e0',
+      hat: '',
+    },
   };
   const categoryStyles: Record<string, { colour: string }> = {};
   for (const pack of catalog.packs) {

@@ -52,17 +52,26 @@ function inToolbox(pack: Pack): PackBlock[] {
   return pack.blocks.filter((block) => block.toolbox !== false && !isProcedureType(block.opcode));
 }
 
-const hasNames = (pack: Pack) => inToolbox(pack).some((b) => works(b, 'variable') || works(b, 'list'));
+/** The pack that a variable or list itself comes from: its category makes and shows the names. */
+const hasNames = (pack: Pack) => inToolbox(pack).some((block) => block.shape === 'reporter' && isBare(block));
 const hasProcedures = (pack: Pack) => pack.blocks.some((block) => block.opcode === definitionType);
 
 /** One reporter for each name, then the other blocks set to the newest name. */
 function nameItems(workspace: Blockly.WorkspaceSvg, pack: Pack, type: 'variable' | 'list'): Item[] {
-  const blocks = inToolbox(pack).filter((block) => works(block, type));
-  const names = workspace.getVariableMap().getVariablesOfType(type === 'list' ? 'list' : '');
+  const kinds = workspace.getVariableMap();
+  const names = kinds.getVariablesOfType(type === 'list' ? 'list' : '');
+  const hasLists = kinds.getVariablesOfType('list').length > 0;
+  const shown = (block: PackBlock) =>
+    type === 'list' ? !works(block, 'variable') : hasLists || !works(block, 'list');
+  const blocks = inToolbox(pack).filter((block) => works(block, type) && shown(block));
   if (blocks.length === 0 || names.length === 0) return [];
   const field = (block: PackBlock) => block.args!.find((arg) => arg.type === type)!.name;
-  const made = (block: PackBlock, id: string): Item => ({ ...item(block), fields: { [field(block)]: { id } } });
-  const isName = (block: PackBlock) => block.shape === 'reporter' && block.args!.length === 1 && isBare(block);
+  const made = (block: PackBlock, id: string): Item => ({
+    ...item(block),
+    fields: { [field(block)]: { id } },
+  });
+  const isName = (block: PackBlock) =>
+    block.shape === 'reporter' && block.args!.length === 1 && isBare(block);
   const sorted = [...names].sort((a, b) => a.getName().localeCompare(b.getName()));
   const reporters = blocks.filter(isName).flatMap((block) => sorted.map((name) => made(block, name.getId())));
   const last = names.at(-1)!.getId();
@@ -115,7 +124,7 @@ export function makeToolbox(catalog: Catalog): Blockly.utils.toolbox.ToolboxInfo
   const contents = catalog.packs
     .filter((pack) => inToolbox(pack).length > 0 || hasProcedures(pack))
     .map(category);
-  return { kind: 'categoryToolbox', contents } as unknown as Blockly.utils.toolbox.ToolboxInfo;
+  return { kind: 'categoryToolbox', contents };
 }
 
 /** Registers what the dynamic categories and the buttons do. */
@@ -123,10 +132,7 @@ export function serveToolbox(workspace: Blockly.WorkspaceSvg, catalog: Catalog):
   for (const pack of catalog.packs) {
     const contents = hasProcedures(pack) ? procedureContents : nameContents;
     if (!hasNames(pack) && !hasProcedures(pack)) continue;
-    workspace.registerToolboxCategoryCallback(
-      `pack_${pack.id}`,
-      () => contents(workspace, pack) as unknown as Blockly.utils.toolbox.FlyoutDefinition,
-    );
+    workspace.registerToolboxCategoryCallback(`pack_${pack.id}`, () => contents(workspace, pack));
   }
   const refresh = () => workspace.refreshToolboxSelection();
   workspace.registerButtonCallback('new_variable', () => askNewName(workspace, '', refresh));

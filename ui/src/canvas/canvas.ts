@@ -2,9 +2,10 @@
 import * as Blockly from 'blockly/core';
 import * as messagesEn from 'blockly/msg/en';
 import * as messagesEs from 'blockly/msg/es';
+import { useCategories } from '../blocks/category';
 import { defineBlocks } from '../blocks/define';
 import type { Catalog } from '../blocks/pack';
-import { makeTheme } from '../blocks/theme';
+import { makeTheme, textRules } from '../blocks/theme';
 import { makeToolbox, searchContents, serveToolbox } from '../blocks/toolbox';
 import { askText, askYes, tell } from '../dialogs/ask';
 import { lang, t } from '../messages';
@@ -20,7 +21,13 @@ function useLanguage(catalog: Catalog): void {
 
 function useOwnDialogs(): void {
   Blockly.dialog.setPrompt((question, start, callback) =>
-    askText(question, start, () => null, callback, () => callback(null)),
+    askText(
+      question,
+      start,
+      () => null,
+      callback,
+      () => callback(null),
+    ),
   );
   Blockly.dialog.setConfirm((question, callback) => askYes(question, t('ok'), callback));
   Blockly.dialog.setAlert((message, callback) => tell(message, callback));
@@ -35,6 +42,8 @@ export class Canvas {
     this.catalog = catalog;
     useLanguage(catalog);
     useOwnDialogs();
+    useCategories();
+    Blockly.Css.register(textRules(catalog));
     this.workspace = Blockly.inject(container, {
       renderer: 'zelos',
       theme: makeTheme(catalog),
@@ -52,7 +61,7 @@ export class Canvas {
     });
     serveToolbox(this.workspace, catalog);
     this.workspace.addChangeListener((event) => {
-      if (!event.isUiEvent && event.type !== Blockly.Events.FINISHED_LOADING) this.changed();
+      if (!event.isUiEvent && !(event instanceof Blockly.Events.FinishedLoading)) this.changed();
     });
   }
 
@@ -95,7 +104,7 @@ export class Canvas {
       return;
     }
     const contents = searchContents(this.workspace, this.catalog, query);
-    flyout?.show(contents as unknown as Blockly.utils.toolbox.FlyoutDefinition);
+    flyout?.show(contents);
   }
 
   undo(redo: boolean): void {
@@ -112,7 +121,7 @@ export class Canvas {
     if (!first) return;
     const at = first.getRelativeToSurfaceXY();
     const { scale } = this.workspace;
-    const flyout = this.workspace.getToolbox()?.getWidth() ?? 0;
-    this.workspace.scroll(flyout + 48 - at.x * scale, 40 - at.y * scale);
+    const room = this.workspace.getMetrics().viewWidth;
+    this.workspace.scroll((room > 720 ? 176 : 40) - at.x * scale, 40 - at.y * scale);
   }
 }

@@ -13,14 +13,18 @@ function deepCopy(state: WorkspaceState): WorkspaceState {
 }
 
 /** Fills the workspace, whatever it held before. Returns the types of block that are not known here. */
-export function loadWorkspace(workspace: Blockly.Workspace, state: WorkspaceState, catalog: Catalog): string[] {
+export function loadWorkspace(
+  workspace: Blockly.Workspace,
+  state: WorkspaceState,
+  catalog: Catalog,
+): string[] {
   const copy = deepCopy(state);
   const unknown = hideUnknown(copy, catalog);
   splitChains(copy);
   Blockly.Events.disable();
   try {
     workspace.clear();
-    Blockly.serialization.workspaces.load(copy as Record<string, unknown>, workspace, { recordUndo: false });
+    Blockly.serialization.workspaces.load(copy, workspace, { recordUndo: false });
   } finally {
     Blockly.Events.enable();
   }

@@ -41,13 +41,14 @@ function programWith(block: Blockly.Block, program: Program): Program {
 /** Asks for the value whenever a reporter is clicked, on the canvas or in the toolbox. */
 export function answerClicks(workspace: Blockly.WorkspaceSvg, program: () => Program): void {
   const clicked = (event: Blockly.Events.Abstract) => {
-    if (event.type !== Blockly.Events.CLICK) return;
+    if (!(event instanceof Blockly.Events.Click)) return;
     close();
     wanted += 1;
-    const click = event as Blockly.Events.Click;
+    const click = event;
     const home = click.workspaceId ? Blockly.common.getWorkspaceById(click.workspaceId) : null;
     const block = click.blockId ? (home?.getBlockById(click.blockId) as Blockly.BlockSvg | null) : null;
-    if (click.targetType !== 'block' || !block?.outputConnection || block.isShadow()) return;
+    if (click.targetType !== Blockly.Events.ClickTarget.BLOCK || !block?.outputConnection || block.isShadow())
+      return;
     const mine = wanted;
     void evaluate(programWith(block, program()), block.id).then((answer) => {
       if (mine !== wanted || block.disposed) return;

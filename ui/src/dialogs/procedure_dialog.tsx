@@ -81,7 +81,11 @@ function Preview({ procedure }: { procedure: Procedure }) {
 function Check(props: { label: string; on: boolean; change: (on: boolean) => void }) {
   return (
     <label class="check">
-      <input type="checkbox" checked={props.on} onChange={(event) => props.change(event.currentTarget.checked)} />
+      <input
+        type="checkbox"
+        checked={props.on}
+        onChange={(event) => props.change(event.currentTarget.checked)}
+      />
       {props.label}
     </label>
   );
@@ -149,7 +153,11 @@ function ProcedureDialog({ start, others, fixedShape, done }: Props) {
             change={(returns) => setProcedure({ ...procedure, returns })}
           />
         )}
-        <Check label={t('run_at_once')} on={procedure.warp} change={(warp) => setProcedure({ ...procedure, warp })} />
+        <Check
+          label={t('run_at_once')}
+          on={procedure.warp}
+          change={(warp) => setProcedure({ ...procedure, warp })}
+        />
         <p class="field-fault" role="alert">
           {fault && t(fault)}
         </p>
@@ -173,7 +181,13 @@ function otherNames(workspace: Blockly.Workspace, but?: string): string[] {
 
 /** Makes a new block: asks, then puts its definition in the middle of the canvas. */
 export function makeProcedure(workspace: Blockly.WorkspaceSvg): void {
-  const start: Procedure = { id: newId(), name: t('block_name_first'), params: [], returns: false, warp: false };
+  const start: Procedure = {
+    id: newId(),
+    name: t('block_name_first'),
+    params: [],
+    returns: false,
+    warp: false,
+  };
   const place = (procedure: Procedure) => {
     const view = workspace.getMetricsManager().getViewMetrics(true);
     const state = { type: definitionType, extraState: procedure, x: view.left + 60, y: view.top + 60 };

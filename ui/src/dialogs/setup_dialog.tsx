@@ -28,7 +28,11 @@ const largestSeed = 2 ** 31;
 
 function SetupDialog() {
   const now = setup.value;
-  const [next, setNext] = useState({ world: now?.world ?? '', robot: now?.robot ?? '', seed: now?.seed ?? 1 });
+  const [next, setNext] = useState({
+    world: now?.world ?? '',
+    robot: now?.robot ?? '',
+    seed: now?.seed ?? 1,
+  });
   const seedOk = Number.isInteger(next.seed) && next.seed >= 0 && next.seed <= largestSeed;
   const submit = (event: Event) => {
     event.preventDefault();

@@ -38,7 +38,7 @@ export const en = {
   ok: 'OK',
   delete: 'Delete',
   sees: 'What it sees',
-  room_above: 'The room from above',
+  room_above: 'Room from above',
   values: 'Values',
   log: 'Log',
   fold_stage: 'Hide the robot’s side',
@@ -51,7 +51,7 @@ export const en = {
   no_log: 'What the robot says, and what it needs from you, appears here.',
   no_picture: 'Waiting for the first picture…',
   no_scene: 'A real robot: only you see the room.',
-  show_boundary: 'Where the floor ends',
+  show_boundary: 'Floor’s edge',
   show_faces: 'Faces',
   nearest: 'nearest {cm} cm',
   not_trusted: 'I can’t see the floor here. Tilt the camera down a little.',
@@ -139,7 +139,8 @@ export const en = {
   turn_dial: 'Turn with the arrow keys or drag',
   help_text:
     'Drag blocks from the left onto the canvas and join them. The flag starts your program, the red button (or Esc) always stops the robot. Click a round block to see its value.',
-  help_keys: 'Ctrl+Z undoes, Ctrl+Y redoes. While a program runs, the keys you press go to it unless you are on the canvas.',
+  help_keys:
+    'Ctrl+Z undoes, Ctrl+Y redoes. While a program runs, the keys you press go to it unless you are on the canvas.',
   projects_empty: 'No other projects yet.',
   main_controls: 'Controls',
 } as const;

@@ -49,27 +49,39 @@ export function splitChains(workspace: WorkspaceState): void {
         link += 1;
         const rest = cut(chain[at - 1]!, link);
         const x = (top.x ?? 0) + link * columnWidth;
-        pieces.push({ type: linkIn, fields: { LINK: String(link) }, x, y: top.y ?? 0, next: { block: rest } });
+        pieces.push({
+          type: linkIn,
+          fields: { LINK: String(link) },
+          x,
+          y: top.y ?? 0,
+          next: { block: rest },
+        });
       }
     }
   }
   tops.push(...pieces);
 }
 
+interface Piece {
+  first: BlockState;
+  x?: number;
+  y?: number;
+}
+
 /** Removes the pieces from the tops: what follows each link, and where it stood. */
-function takePieces(tops: BlockState[]): Map<string, BlockState> {
-  const pieces = new Map<string, BlockState>();
+function takePieces(tops: BlockState[]): Map<string, Piece> {
+  const pieces = new Map<string, Piece>();
   for (let i = tops.length - 1; i >= 0; i--) {
     const top = tops[i]!;
     if (top.type !== linkIn) continue;
-    const rest = top.next?.block;
-    if (rest) pieces.set(String(top.fields?.LINK), { ...rest, x: top.x, y: top.y });
+    const first = top.next?.block;
+    if (first) pieces.set(String(top.fields?.LINK), { first, x: top.x, y: top.y });
     tops.splice(i, 1);
   }
   return pieces;
 }
 
-function join(first: BlockState, pieces: Map<string, BlockState>): void {
+function join(first: BlockState, pieces: Map<string, Piece>): void {
   const open = [first];
   for (let block = open.pop(); block; block = open.pop()) {
     for (const input of Object.values(block.inputs ?? {})) {
@@ -79,9 +91,9 @@ function join(first: BlockState, pieces: Map<string, BlockState>): void {
     const next = block.next?.block;
     if (next?.type === linkOut) {
       const link = String(next.fields?.LINK);
-      const { x: _x, y: _y, ...rest } = pieces.get(link) ?? { type: '' };
+      const rest = pieces.get(link);
       pieces.delete(link);
-      if (rest.type) block.next = { block: rest };
+      if (rest) block.next = { block: rest.first };
       else delete block.next;
     }
     if (block.next?.block) open.push(block.next.block);
@@ -96,8 +108,8 @@ export function joinChains(workspace: WorkspaceState): void {
   for (const top of tops) join(top, pieces);
   for (const [link, piece] of pieces) {
     pieces.delete(link);
-    join(piece, pieces);
-    tops.push(piece);
+    join(piece.first, pieces);
+    tops.push({ ...piece.first, x: piece.x, y: piece.y });
   }
   for (let i = tops.length - 1; i >= 0; i--) if (tops[i]!.type === linkOut) tops.splice(i, 1);
 }

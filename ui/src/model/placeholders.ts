@@ -2,7 +2,7 @@
  * Blocks that this editor does not know, or knows in another form, travel through Blockly as grey placeholders: what they
  * hold is kept as it came and written back unchanged.
  */
-import { type Catalog, type PackArg, type PackBlock, cutText } from '../blocks/pack';
+import { type Catalog, type PackArg, type PackBlock, cutText, endsStack } from '../blocks/pack';
 import { linkIn, linkOut } from './chains';
 import type { BlockState, ConnectionState, WorkspaceState } from './program';
 
@@ -23,7 +23,7 @@ export interface Kept {
 const carried = new Set(['id', 'x', 'y', 'inputs', 'next']);
 const valueShapes = new Set(['reporter', 'boolean']);
 const shadows: Record<string, string> = { math_number: 'NUM', math_angle: 'NUM', text: 'TEXT' };
-const own = new Set([linkIn, linkOut, ...Object.keys(shadows)]);
+const own = new Set([linkIn, linkOut]);
 const fieldTypes = new Set(['menu', 'key', 'variable', 'list', 'broadcast']);
 const procedureTypes = new Set(['procedures_definition', 'procedures_call', 'procedures_call_value']);
 
@@ -60,9 +60,20 @@ function hasParams(extra: unknown): boolean {
   return typeof id === 'string' && typeof name === 'string' && Array.isArray(params);
 }
 
+/** Number fields show numbers only: a shadow with another text would lose it. */
+function shadowFits(state: BlockState): boolean {
+  const fields = Object.entries(state.fields ?? {});
+  if (state.next || state.inputs || fields.some(([name]) => name !== shadows[state.type])) return false;
+  return fields.every(([, value]) => {
+    if (state.type === 'text') return typeof value === 'string';
+    return value === '' || (typeof value === 'number' && Number.isFinite(value));
+  });
+}
+
 /** Whether the known block of this type can hold all of this state. */
 function fits(state: BlockState, catalog: Catalog): boolean {
   if (own.has(state.type)) return true;
+  if (state.type in shadows) return shadowFits(state);
   const known = catalog.find(state.type);
   if (!known) return false;
   if (procedureTypes.has(state.type)) return hasParams(state.extraState);
@@ -75,7 +86,7 @@ function fits(state: BlockState, catalog: Catalog): boolean {
   for (const [name, input] of Object.entries(state.inputs ?? {})) {
     if (!inputFits(args.get(name), input, catalog)) return false;
   }
-  const ends = known.block.shape === 'cap' || valueShapes.has(known.block.shape);
+  const ends = endsStack(known.block) || valueShapes.has(known.block.shape);
   return !(ends && state.next);
 }
 
@@ -99,7 +110,10 @@ function wrap(state: BlockState, role: Role, catalog: Catalog): BlockState {
   const keys = Object.keys(state);
   const kept: Record<string, unknown> = {};
   for (const key of keys) if (!carried.has(key)) kept[key] = state[key];
-  const inputs = Object.entries(state.inputs ?? {}).map(([name, input]) => ({ name, kind: kindOf(input, catalog) }));
+  const inputs = Object.entries(state.inputs ?? {}).map(([name, input]) => ({
+    name,
+    kind: kindOf(input, catalog),
+  }));
   const extraState: Kept = { type: state.type, role, keys, state: kept, inputs };
   const wrapped: BlockState = { type: placeholder, extraState };
   for (const key of ['id', 'x', 'y', 'inputs', 'next'] as const) {

@@ -58,7 +58,9 @@ function isObject(value: unknown): value is Record<string, unknown> {
 }
 
 function isConnection(value: unknown): value is ConnectionState {
-  return isObject(value) && [value.block, value.shadow].every((inner) => inner === undefined || isObject(inner));
+  return (
+    isObject(value) && [value.block, value.shadow].every((inner) => inner === undefined || isObject(inner))
+  );
 }
 
 function hasBlockShape(block: BlockState): boolean {
@@ -110,7 +112,9 @@ export function readProgram(text: string, fallbackName: string): { program: Prog
   if (typeof value.version === 'number' && value.version > 1) return { bad: 'file_too_new' };
   if (!isWorkspace(value.workspace)) return { bad: 'file_not_program' };
   const name = typeof value.name === 'string' && value.name.trim() ? value.name : fallbackName;
-  const packs = Array.isArray(value.packs) ? value.packs.filter((p): p is string => typeof p === 'string') : [];
+  const packs = Array.isArray(value.packs)
+    ? value.packs.filter((p): p is string => typeof p === 'string')
+    : [];
   return { program: makeProgram(name, value.workspace, packs) };
 }
 

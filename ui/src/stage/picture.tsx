@@ -40,7 +40,9 @@ function pictureWords(): string {
 export function Picture() {
   const ref = useRef<HTMLCanvasElement>(null);
   const words = useComputed(() => (lang.value ? pictureWords() : ''));
-  const ratio = useComputed(() => (picture.value ? picture.value.header.width / picture.value.header.height : 4 / 3));
+  const ratio = useComputed(() =>
+    picture.value ? picture.value.header.width / picture.value.header.height : 4 / 3,
+  );
   useSignalEffect(() => {
     if (ref.current) draw(ref.current);
   });

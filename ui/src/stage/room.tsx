@@ -126,9 +126,6 @@ export function Room() {
     <section class="card room-card" aria-label={t('room_above')}>
       <header class="card-head">
         <h2>{t('room_above')}</h2>
-        <span class={touching.value ? 'summary touching' : 'summary'}>
-          {touching.value ? t('contact') : summary}
-        </span>
         <button type="button" class="button small" disabled={!mayDrive.value} onClick={putBack}>
           ↺ {t('put_back')}
         </button>
@@ -138,6 +135,9 @@ export function Room() {
         <div ref={bubble} class="say-bubble" hidden={!say.value} role="status">
           {say}
         </div>
+        <span class={touching.value ? 'summary touching' : 'summary'}>
+          {touching.value ? t('contact') : summary}
+        </span>
         {bare.value && <p class="over-picture">{t('no_scene')}</p>}
       </div>
     </section>

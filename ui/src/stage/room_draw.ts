@@ -9,7 +9,9 @@ const turn = Math.PI / 180;
 
 function trace(pen: Pen, view: RoomView, points: Point[]): void {
   pen.beginPath();
-  points.forEach(([x, y], i) => (i === 0 ? pen.moveTo(view.x(x), view.y(y)) : pen.lineTo(view.x(x), view.y(y))));
+  points.forEach(([x, y], i) =>
+    i === 0 ? pen.moveTo(view.x(x), view.y(y)) : pen.lineTo(view.x(x), view.y(y)),
+  );
 }
 
 function drawFloor(pen: Pen, view: RoomView, scene: Scene): void {
@@ -90,7 +92,14 @@ export function drawPerson(pen: Pen, view: RoomView, person: Scene['people'][num
   pen.restore();
 }
 
-function drawCone(pen: Pen, view: RoomView, pose: Pose, hfov_deg: number, reach_m: number, colour: string): void {
+function drawCone(
+  pen: Pen,
+  view: RoomView,
+  pose: Pose,
+  hfov_deg: number,
+  reach_m: number,
+  colour: string,
+): void {
   const x = view.x(pose.x_m);
   const y = view.y(pose.y_m);
   const middle = -(pose.heading_deg + pose.pan_deg) * turn;

@@ -1,5 +1,7 @@
 /** Fits a canvas to its place on the page in device pixels; the pen then works in CSS pixels. */
-export function sharpPen(canvas: HTMLCanvasElement): { pen: CanvasRenderingContext2D; w: number; h: number } | null {
+export function sharpPen(
+  canvas: HTMLCanvasElement,
+): { pen: CanvasRenderingContext2D; w: number; h: number } | null {
   const w = canvas.clientWidth;
   const h = canvas.clientHeight;
   const ratio = window.devicePixelRatio || 1;

@@ -4,11 +4,16 @@ import { running, sendKey, stop, youDrive } from './robot';
 
 function isBusy(target: EventTarget | null): boolean {
   if (!(target instanceof Element)) return false;
-  return target.closest('input, textarea, select, dialog, [contenteditable], .injectionDiv, .blocklyWidgetDiv') !== null;
+  return (
+    target.closest('input, textarea, select, dialog, [contenteditable], .injectionDiv, .blocklyWidgetDiv') !==
+    null
+  );
 }
 
 function pressesControl(target: EventTarget | null, key: string): boolean {
-  return (key === ' ' || key === 'Enter') && target instanceof Element && target.closest('button, a') !== null;
+  return (
+    (key === ' ' || key === 'Enter') && target instanceof Element && target.closest('button, a') !== null
+  );
 }
 
 export function listenToKeys(): void {
@@ -22,7 +27,8 @@ export function listenToKeys(): void {
     (event) => {
       if (event.key === 'Escape' && running.peek()) stop();
       const key = keyOf(event.key);
-      if (!key || !running.peek() || !youDrive.peek() || event.ctrlKey || event.metaKey || event.altKey) return;
+      if (!key || !running.peek() || !youDrive.peek() || event.ctrlKey || event.metaKey || event.altKey)
+        return;
       if (isBusy(event.target) || pressesControl(event.target, event.key)) return;
       event.preventDefault();
       if (held.has(key)) return;

@@ -42,7 +42,9 @@ export interface Note {
 /** The newest words for the status line and the log. */
 export const notes = signal<Note[]>([]);
 
-export const running = computed(() => telemetry.value?.state === 'running' || telemetry.value?.state === 'paused');
+export const running = computed(
+  () => telemetry.value?.state === 'running' || telemetry.value?.state === 'paused',
+);
 export const paused = computed(() => telemetry.value?.state === 'paused');
 export const youDrive = computed(() => owner.value !== '' && owner.value === you.value);
 export const mayDrive = computed(() => owner.value === '' || youDrive.value);
@@ -58,7 +60,11 @@ export function note(severity: Note['severity'], words: () => string): void {
   notes.value = [...notes.value.slice(-99), { at: Date.now(), severity, words }];
 }
 
-export function noteKey(severity: Note['severity'], key: MessageKey, values: Record<string, string | number> = {}): void {
+export function noteKey(
+  severity: Note['severity'],
+  key: MessageKey,
+  values: Record<string, string | number> = {},
+): void {
   note(severity, () => t(key, values));
 }
 
@@ -248,8 +254,11 @@ export function watch(panels: Watch): void {
 export function evaluate(program: Program, block: string): Promise<{ value?: Value; fault?: Fault }> {
   requests += 1;
   const request = requests;
-  const none = { fault: { place: block, code: 'no_answer', severity: 'error', message: noAnswer() } as Fault };
-  if (!connection?.sendText(writeJson({ type: 'evaluate', request, program, block }))) return Promise.resolve(none);
+  const none = {
+    fault: { place: block, code: 'no_answer', severity: 'error', message: noAnswer() } as Fault,
+  };
+  if (!connection?.sendText(writeJson({ type: 'evaluate', request, program, block })))
+    return Promise.resolve(none);
   return new Promise((resolve) => {
     waiting.set(request, resolve);
     window.setTimeout(() => {

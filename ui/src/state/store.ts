@@ -24,7 +24,8 @@ function asked<T>(request: IDBRequest<T>): Promise<T> {
 function done(transaction: IDBTransaction): Promise<void> {
   return new Promise((resolve, reject) => {
     transaction.oncomplete = () => resolve();
-    transaction.onerror = transaction.onabort = () => reject(transaction.error ?? new Error('transaction failed'));
+    transaction.onerror = transaction.onabort = () =>
+      reject(transaction.error ?? new Error('transaction failed'));
   });
 }
 

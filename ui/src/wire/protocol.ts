@@ -73,7 +73,14 @@ export interface Scene {
   floor_colour: string;
   lines: { points: Point[]; width_m: number; colour: string }[];
   walls: { points: Point[]; colour: string }[];
-  boxes: { x_m: number; y_m: number; heading_deg: number; length_m: number; width_m: number; colour: string }[];
+  boxes: {
+    x_m: number;
+    y_m: number;
+    heading_deg: number;
+    length_m: number;
+    width_m: number;
+    colour: string;
+  }[];
   cylinders: { x_m: number; y_m: number; radius_m: number; colour: string }[];
   people: { x_m: number; y_m: number; heading_deg: number; radius_m: number }[];
   robot: SceneRobot;
@@ -148,7 +155,9 @@ export interface PictureHeader {
 }
 
 /** Splits a binary message: header length (u32, little-endian), header, JPEG. Null when it is none. */
-export function readPicture(bytes: ArrayBuffer): { header: PictureHeader; jpeg: Uint8Array<ArrayBuffer> } | null {
+export function readPicture(
+  bytes: ArrayBuffer,
+): { header: PictureHeader; jpeg: Uint8Array<ArrayBuffer> } | null {
   if (bytes.byteLength < 4) return null;
   const length = new DataView(bytes).getUint32(0, true);
   if (length > bytes.byteLength - 4) return null;
