@@ -13,7 +13,8 @@ constexpr int kAlarm = 6;
 constexpr int kFloorIsBack = 5;  // rows of floor after an interruption
 constexpr double kWidestLine_m = 0.12;
 constexpr double kLowestObstacle_m = 0.035;
-constexpr int kLineRows = 8;       // a line running away from the robot is at least so long
+constexpr int kFirstLineRows = 5;  // show how wide a line is
+constexpr int kLineRows = 10;      // a line running away from the robot is at least so long
 constexpr int kDeepestShade = 85;  // Look units of light: a factor of 3.6
 constexpr int kLongestRamp = 18;   // rows of a shadow's soft rim
 constexpr int kSurfaceRows = 8;
@@ -56,24 +57,37 @@ ColumnScan::Width ColumnScan::width_at(int column, int row) const {
   return {right - left + 1, left > 0 && right + 1 < grid_.columns()};
 }
 
-/// A line that runs away from the robot keeps its width on the floor; a post keeps its width in the picture.
+/// A line that runs away from the robot keeps its width on the floor, so it narrows in the picture; a post
+/// keeps its width in the picture, and a box's corner widens. Where a line ends at something wide, that
+/// begins there.
 ColumnScan::Verdict ColumnScan::judge_line(int column, int row, int top) const {
   const Verdict obstacle{false, row};
   const double from_m = scale_.depth_m[static_cast<std::size_t>(row)];
-  const int start = std::max(row - 2, top);
-  int widest = 2;
+  const int start = std::max(row - 1, top);
+  int widest = 1;
+  int newest = 1;
+  int wide_row = -1;
   int floor_rows = 0;
   for (int r = start; r >= top; --r) {
     const double depth_m = scale_.depth_m[static_cast<std::size_t>(r)];
     const Width width = width_at(column, r);
     floor_rows = width.cells == 0 ? floor_rows + 1 : 0;
     if (floor_rows >= kFloorIsBack) return {true, r};
-    if (start - r < kLineRows || !width.whole) widest = std::max(widest, width.cells);
-    const bool as_wide = !width.whole || width.cells >= widest;
-    const bool like_post = width.cells > 0 && as_wide && depth_m > (1.5 + 1.0 / widest) * from_m;
-    if (like_post) return obstacle;
-    if (width.cells * depth_m / scale_.focal_cells <= kWidestLine_m || width.cells == 1) continue;
-    return start - r >= kLineRows ? Verdict{false, r} : obstacle;
+    if (width.cells == 0) continue;
+    if (start - r < kFirstLineRows) widest = std::max(widest, width.cells);
+    const bool too_wide = width.cells > 1 && width.cells * depth_m / scale_.focal_cells > kWidestLine_m;
+    if (too_wide || width.cells > widest + 1) {
+      if (wide_row < 0) wide_row = r;
+      // Another line across is passed; something wide stays wide.
+      const double wide_from_m = scale_.depth_m[static_cast<std::size_t>(wide_row)];
+      if (depth_m - wide_from_m <= kWidestLine_m) continue;
+      const bool was_line = start - wide_row >= kLineRows && newest <= widest && wide_from_m > 1.15 * from_m;
+      return was_line ? Verdict{false, wide_row} : obstacle;
+    }
+    wide_row = -1;
+    if (width.cells >= widest && depth_m > (1.5 + 1.0 / widest) * from_m) return obstacle;
+    if (!width.whole && depth_m > 1.3 * from_m) return obstacle;
+    newest = width.cells;
   }
   return obstacle;
 }

@@ -70,16 +70,19 @@ ColumnResult ColumnScan::from_above(int column, const ColumnSpan& span, int top)
   for (int row = top; row < span.horizon_row; ++row) {
     wander += std::abs(grid_.look(column, row + 1).light - grid_.look(column, row).light);
   }
-  const int light = std::clamp(3 * wander / std::max(1, span.horizon_row - top), 4, 16);
-  const Tolerance tolerance{light, std::max(4, light / 2)};
+  const int light = std::clamp(3 * wander / std::max(1, span.horizon_row - top), 3, 16);
+  const Tolerance tolerance{light, std::max(3, light / 2)};
+  int before = thing.look().light;
   int evidence = 0;
   int first_odd = 0;
   for (int row = span.horizon_row; row <= span.bottom_row; ++row) {
     const Look look = grid_.look(column, row);
-    const int odd = thing.oddness(look, tolerance);
+    const bool rougher = std::abs(look.light - before) > light + 1;
+    before = look.light;
+    const int odd = std::max(thing.oddness(look, tolerance), rougher ? 1 : 0);
     if (odd == 0) {
       evidence = std::max(0, evidence - 1);
-      thing.follow(look, 4);
+      thing.follow(look, 8);
     } else {
       if (evidence == 0) first_odd = row;
       evidence += 2 * odd;
