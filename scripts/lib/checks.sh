@@ -6,7 +6,7 @@ check_format() { cpp_files | xargs -0 clang-format --dry-run -Werror; }
 
 run_browser_tests() {
   cd ui
-  run_node_tests --test-concurrency=1 ../tests/e2e/*.test.mjs
+  run_node_tests --test-concurrency=1 ../tests/e2e/*[._-]test.mjs
 }
 
 # Each source with the compiler's own command line, two at a time; every finding is an error.
