@@ -28,8 +28,8 @@ Finish::Finish(const RayTable& rays, const NoiseConfig& noise, std::uint64_t see
     for (int x = 0; x < width_; ++x) {
       const double r2 = (std::pow(x - width_ / 2.0, 2) + std::pow(y - height_ / 2.0, 2)) / half2;
       const bool sees = rays.sees[static_cast<std::size_t>(y * stride_ + x)] != 0;
-      bright_.push_back(
-          static_cast<std::uint16_t>(sees ? 256 * (1 - noise.vignette * r2 * std::sqrt(r2)) : 0));
+      const double share = sees ? 256 * (1 - noise.vignette * r2 * std::sqrt(r2)) : 0;
+      bright_.insert(bright_.end(), 3, static_cast<std::uint16_t>(share));
     }
   }
   Random random(seed, "sensor noise");
