@@ -11,6 +11,8 @@ constexpr std::uint16_t kPolicyViolation = 1008;
 constexpr std::size_t kMaxLeftOut = 1000;
 constexpr std::size_t kMaxJobs = 32;
 
+bool carries_program(const ReadMessage& read) { return read.type == "run" || read.type == "evaluate"; }
+
 }  // namespace
 
 void Hub::receive(ViewerId id, std::string_view text) {
@@ -26,6 +28,9 @@ void Hub::receive(ViewerId id, std::string_view text) {
   if (!within_rate(*viewer, read)) return;
   if (!viewer->greeted() && read.type != "hello") {
     viewer->link->close(kPolicyViolation, "say hello first");
+  } else if (text.size() > kMaxMessageBytes && !carries_program(read)) {
+    const MessageArgs limit{{"limit_kib", std::to_string(kMaxMessageBytes >> 10)}};
+    viewer->link->send_control(refused_text(read.type, {make_fault("", messages::message_too_large, limit)}));
   } else if (!read.faults.empty()) {
     viewer->link->send_control(refused_text(read.type, read.faults));
   } else {

@@ -103,13 +103,11 @@ bool StaticFiles::built() const {
 }
 
 bool accepts_gzip(std::string_view accept_encoding) {
-  std::size_t at = accept_encoding.find("gzip");
+  const std::size_t at = accept_encoding.find("gzip");
   if (at == std::string_view::npos) return false;
-  at += 4;
-  while (at < accept_encoding.size() && accept_encoding[at] == ' ') ++at;
-  const std::string_view rest = accept_encoding.substr(at, accept_encoding.find(',', at) - at);
-  const bool refused = rest.starts_with(";q=0") && rest.find_first_of("123456789") == std::string_view::npos;
-  return !refused;
+  std::string weight(accept_encoding.substr(at + 4, accept_encoding.find(',', at) - at - 4));
+  std::erase(weight, ' ');
+  return !weight.starts_with(";q=0") || weight.find_first_of("123456789") != std::string::npos;
 }
 
 }  // namespace mirada::server
