@@ -30,6 +30,8 @@ Result<nlohmann::json> parse_json(std::string_view text, const std::string& plac
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
     return make_fault(place, messages::json_broken, {{"byte", std::to_string(error.byte)}});
+  } catch (const nlohmann::json::out_of_range&) {
+    return make_fault(place, messages::json_number_too_large);
   }
 }
 

@@ -10,14 +10,14 @@ namespace mirada::vm {
 
 /// Every block that can be used, by opcode. Built once by packs/, then shared read-only between threads.
 class BlockCatalog {
-   public:
-    /// Refuses (false) an opcode that is there already.
-    bool add(BlockDef def);
-    const BlockDef* find(std::string_view opcode) const;
-    const std::map<std::string, BlockDef, std::less<>>& all() const { return defs_; }
+ public:
+  /// Refuses (false) an opcode that is there already.
+  bool add(BlockDef def);
+  const BlockDef* find(std::string_view opcode) const;
+  const std::map<std::string, BlockDef, std::less<>>& all() const { return defs_; }
 
-   private:
-    std::map<std::string, BlockDef, std::less<>> defs_;
+ private:
+  std::map<std::string, BlockDef, std::less<>> defs_;
 };
 
 }  // namespace mirada::vm

@@ -1,0 +1,311 @@
+// Instructions that decide which way the program goes: jumps, yields, calls, messages, native blocks.
+#include <algorithm>
+#include <limits>
+
+#include "vm/handlers.h"
+#include "vm/messages.h"
+#include "vm/native_call.h"
+
+namespace mirada::vm {
+
+#define HANDLER(name) \
+  const Instr* slow_##name(const Instr* at, [[maybe_unused]] Slot* f, [[maybe_unused]] Slot* g, Turn& t)
+#define A (any_reg(f, g, at->a))
+#define B (any_reg(f, g, at->b))
+
+namespace {
+
+const Instr* end_turn(Turn& t, const Instr* resume, BlockIndex block, Exit exit) {
+  t.thread->at = resume;
+  t.thread->block = block;
+  t.exit = exit;
+  return nullptr;
+}
+
+BlockIndex block_at(const Turn& t, const Instr* at) {
+  const Function& function = *t.thread->frames.back().function;
+  const auto place = static_cast<std::size_t>(at - function.code.data());
+  return place < function.block_of.size() ? function.block_of[place] : kNone;
+}
+
+/// Scratch's test: whether one of the six stack entries below the call (C-blocks and calls) is a call of the
+/// same block.
+bool calls_itself(const Thread& thread, const Function& function, std::int32_t depth) {
+  int left = 6 - depth;
+  for (std::size_t i = thread.frames.size(); i-- > 1 && left > 0;) {
+    if (thread.frames[i].function == &function) return true;
+    left -= 1 + thread.frames[i].depth;
+  }
+  return false;
+}
+
+}  // namespace
+
+const Instr* out_of_fuel(const Instr* to, Turn& turn) {
+  return end_turn(turn, to, block_at(turn, to), Exit::preempted);
+}
+
+const Instr* charge(const Instr* next, Turn& turn, std::size_t work) {
+  if (work == 0) return next;
+  turn.fuel -= static_cast<std::int64_t>(work);
+  turn.surcharge += static_cast<std::int64_t>(work);
+  return turn.fuel < 0 ? out_of_fuel(next, turn) : next;
+}
+
+const Instr* fail(const Instr* at, Turn& turn, const Message& message, MessageArgs args) {
+  turn.machine->fault(*turn.thread, block_at(turn, at), message, std::move(args));
+  return end_turn(turn, at, block_at(turn, at), Exit::faulted);
+}
+
+const Instr* fail_memory(const Instr* at, Turn& turn) {
+  const std::size_t limit = turn.machine->limits.max_total_bytes >> 20;
+  return fail(at, turn, messages::out_of_memory, {{"limit_mib", std::to_string(limit)}});
+}
+
+HANDLER(end) {
+  t.fuel -= at->executions;
+  return end_turn(t, at, block_at(t, at), Exit::ended);
+}
+
+HANDLER(jump) {
+  const Instr* to = at + at->c;
+  if ((t.fuel -= at->executions) < 0) [[unlikely]]
+    return out_of_fuel(to, t);
+  NEXT(to);
+}
+
+HANDLER(count) {
+  t.fuel -= at->executions;
+  NEXT(at + 1);
+}
+
+HANDLER(loop) {
+  const Instr* to = at + at->c;
+  t.fuel -= at->executions;
+  if (t.warp > 0) {
+    if (t.fuel < 0) [[unlikely]]
+      return out_of_fuel(to, t);
+    NEXT(to);
+  }
+  if (t.solo && t.fuel >= 0) NEXT(to);
+  return end_turn(t, to, block_at(t, at), Exit::yielded);
+}
+
+HANDLER(poll) {
+  t.fuel -= at->executions;
+  t.thread->state = ThreadState::polling;
+  return end_turn(t, at + at->c, block_at(t, at), Exit::polled);
+}
+
+HANDLER(warp_on) {
+  ++t.warp;
+  return at + 1;
+}
+
+HANDLER(warp_off) {
+  t.fuel -= at->executions;
+  --t.warp;
+  return at + 1;
+}
+
+HANDLER(call) {
+  Thread& thread = *t.thread;
+  const Function& function = t.functions[at->a];
+  const std::uint32_t caller_size = thread.frames.back().function->frame_size;
+  const std::uint32_t base = thread.frames.back().base + caller_size;
+  t.fuel -= at->executions;
+  const bool recursion = t.warp == 0 && !function.warp && calls_itself(thread, function, at->b);
+  if (function.value_slots.empty() && base + function.reserve <= thread.capacity &&
+      thread.frames.size() < thread.frames.capacity()) [[likely]] {
+    thread.frames.push_back({&function, at + 1, base, at->b, t.warp});
+    f += caller_size;
+  } else {
+    if (!t.machine->push_frame(thread, function, at + 1, at->b, base, t.warp)) {
+      return end_turn(t, at, block_at(t, at), Exit::faulted);
+    }
+    f = thread.frame();
+  }
+  t.frame = f;
+  t.warp += function.warp ? 1 : 0;
+  const Instr* to = function.code.data();
+  if (recursion) return end_turn(t, to, block_at(t, to), Exit::yielded);
+  if (t.fuel < 0) [[unlikely]]
+    return out_of_fuel(to, t);
+  NEXT(to);
+}
+
+namespace {
+
+/// Gives the frame back; the instruction after the call, or null at the end of a hat's condition.
+const Instr* leave(Slot* f, Turn& t) {
+  Thread& thread = *t.thread;
+  const Frame top = thread.frames.back();
+  for (const std::uint16_t slot : top.function->value_slots) f[slot].v.~Value();
+  thread.frames.pop_back();
+  t.warp = top.warp_before;
+  if (thread.frames.empty()) {
+    t.exit = Exit::ended;
+    return nullptr;
+  }
+  t.frame = f - thread.frames.back().function->frame_size;
+  return top.back;
+}
+
+}  // namespace
+
+HANDLER(ret) {
+  t.fuel -= at->executions;
+  t.returned.n = 0;
+  const Instr* to = leave(f, t);
+  if (!to) return nullptr;
+  f = t.frame;
+  NEXT(to);
+}
+HANDLER(ret_n) {
+  t.fuel -= at->executions;
+  t.returned.n = A.n;
+  const Instr* to = leave(f, t);
+  if (!to) return nullptr;
+  f = t.frame;
+  NEXT(to);
+}
+HANDLER(ret_v) {
+  t.fuel -= at->executions;
+  t.returned_value = A.v;
+  return leave(f, t);
+}
+HANDLER(take_n) {
+  A.n = t.returned.n;
+  NEXT(at + 1);
+}
+HANDLER(take_v) {
+  A.v = std::move(t.returned_value);
+  return at + 1;
+}
+
+HANDLER(stop_all) {
+  t.fuel -= at->executions;
+  t.machine->stop_all();
+  return end_turn(t, at, block_at(t, at), Exit::ended);
+}
+
+HANDLER(stop_others) {
+  t.machine->stop_others(*t.thread);
+  return at + 1;
+}
+
+HANDLER(wait) {
+  t.fuel -= at->executions;
+  const double seconds = A.n > 0 ? A.n : 0;
+  const Micros now = t.machine->host.now();
+  t.machine->sleep(*t.thread, seconds < 1e9 ? now + micros(seconds) : std::numeric_limits<Micros>::max() / 2,
+                   false);
+  return end_turn(t, at + 1, block_at(t, at), Exit::slept);
+}
+
+HANDLER(broadcast) {
+  t.fuel -= at->executions;
+  t.machine->broadcast(to_string(A.v));
+  return t.fuel < 0 ? out_of_fuel(at + 1, t) : at + 1;
+}
+
+HANDLER(broadcast_wait) {
+  t.fuel -= at->executions;
+  const std::vector<Thread*> started = t.machine->broadcast(to_string(A.v));
+  if (started.empty()) return t.fuel < 0 ? out_of_fuel(at + 1, t) : at + 1;
+  t.machine->join(*t.thread, started);
+  return end_turn(t, at + 1, block_at(t, at), Exit::joined);
+}
+
+HANDLER(native) {
+  const NativeSite& site = t.machine->native_site(at->a);
+  Thread& thread = *t.thread;
+  NativeCallOf call(site, thread, t.machine->host, t.machine->code->program.at(site.block).id, f, g);
+  NativeResult result = site.def->native(call);
+  if (site.def->visible) {
+    thread.visible_tick = t.machine->tick_number;
+    t.solo = false;
+  }
+  if (result.kind == NativeResult::Kind::again) {
+    t.machine->sleep(thread, result.not_before, true);
+    return end_turn(t, at, site.block, Exit::slept);
+  }
+  thread.native_state.reset();
+  t.fuel -= at->executions;
+  if (result.kind == NativeResult::Kind::fault) {
+    t.machine->fault(thread, site.block, *result.message, std::move(result.args));
+    return end_turn(t, at, site.block, Exit::faulted);
+  }
+  Value& out = B.v;
+  switch (result.kind) {
+    case NativeResult::Kind::number:
+      out = Value(result.number);
+      break;
+    case NativeResult::Kind::text:
+      out = make_text(t.machine->heap, std::string_view(result.text));
+      break;
+    case NativeResult::Kind::truth:
+      out = Value(result.truth);
+      break;
+    default:
+      out = Value();
+      break;
+  }
+  if (t.machine->out_of_memory()) return fail_memory(at, t);
+  return t.fuel < 0 ? out_of_fuel(at + 1, t) : at + 1;
+}
+
+HANDLER(answer) {
+  t.machine->answer(*t.thread, A.v);
+  return at + 1;
+}
+
+HANDLER(timer) {
+  A.n = seconds(t.machine->host.now() - t.machine->timer_zero);
+  return at + 1;
+}
+
+HANDLER(reset_timer) {
+  t.machine->timer_zero = t.machine->host.now();
+  return at + 1;
+}
+
+HANDLER(say) {
+  t.machine->host.say(ThreadId{t.thread->serial}, t.machine->code->program.at(block_at(t, at)).id,
+                      to_string(A.v));
+  t.thread->visible_tick = t.machine->tick_number;
+  t.solo = false;
+  return at + 1;
+}
+
+HANDLER(clone) {
+  t.machine->clone(*t.thread, A.v);
+  t.solo = false;
+  return at + 1;
+}
+
+HANDLER(delete_clone) {
+  t.fuel -= at->executions;
+  if (!t.thread->instance->is_clone) return at + 1;
+  t.machine->delete_clone(*t.thread);
+  return end_turn(t, at, block_at(t, at), Exit::ended);
+}
+
+HANDLER(load_n) {
+  A.n = t.thread->instance->slots[static_cast<std::size_t>(at->b)].n;
+  return at + 1;
+}
+HANDLER(load_v) {
+  A.v = t.thread->instance->slots[static_cast<std::size_t>(at->b)].v;
+  return at + 1;
+}
+HANDLER(store_n) {
+  t.thread->instance->slots[static_cast<std::size_t>(at->b)].n = A.n;
+  return at + 1;
+}
+HANDLER(store_v) {
+  t.thread->instance->slots[static_cast<std::size_t>(at->b)].v = A.v;
+  return at + 1;
+}
+
+}  // namespace mirada::vm

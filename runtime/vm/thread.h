@@ -1,0 +1,78 @@
+#pragma once
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "vm/code.h"
+#include "vm/host.h"
+#include "vm/list.h"
+#include "vm/native.h"
+
+namespace mirada::vm {
+
+/// One register: a bare number, or a value. Which of the two never changes during a function.
+union Slot {
+  double n;
+  Value v;
+  Slot() : n(0) {}
+  ~Slot() {}
+};
+static_assert(sizeof(Slot) == 8);
+
+/// One call in progress. The script itself is the first.
+struct Frame {
+  const Function* function = nullptr;
+  const Instr* back = nullptr;  ///< where the caller goes on
+  std::uint32_t base = 0;       ///< of its registers in the thread's stack
+  std::int32_t depth = 0;       ///< how many C-blocks stood around the call
+  std::int32_t warp_before = 0;
+};
+
+/// What a sprite or one of its clones has of its own.
+struct Instance {
+  std::int32_t sprite = 0;
+  bool is_clone = false;
+  std::unique_ptr<Slot[]> slots;    ///< by VariableInfo::place
+  std::vector<std::int32_t> lists;  ///< by own list of the sprite: index into the machine's lists
+};
+
+enum class ThreadState : std::uint8_t {
+  ready,
+  sleeping,  ///< until `wake`
+  polling,   ///< wait until: looks again when something may have changed
+  joining,   ///< until the scripts that it started have ended
+  done
+};
+
+/// One run of one script.
+struct Thread {
+  std::uint64_t serial = 0;  ///< never used again; the ThreadId
+  const Script* script = nullptr;
+  ThreadState state = ThreadState::done;
+  ThreadEnd end = ThreadEnd::finished;
+  bool is_question = false;   ///< somebody clicked a reporter
+  bool is_answered = false;   ///< a question that has its answer
+  bool is_condition = false;  ///< an edge hat's, never in the list
+  std::uint64_t request = 0;
+  std::uint64_t visible_tick = 0;  ///< the tick in which it has done something visible
+  const Instr* at = nullptr;       ///< where it goes on
+  BlockIndex block = kNone;        ///< the block that it is at, for highlights
+  std::int32_t warp = 0;           ///< how many "all at once" it is in
+  Micros warp_since = 0;
+  std::uint64_t turn_executions = 0;
+  Micros wake = 0;
+  std::uint64_t earliest_tick = 0;                         ///< sleeping: not before this tick
+  std::size_t pending = 0;                                 ///< scripts that it waits for
+  std::vector<std::pair<Thread*, std::uint64_t>> waiters;  ///< who waits for this one, with their serials
+  std::unique_ptr<NativeState> native_state;
+  Instance* instance = nullptr;
+
+  std::vector<Frame> frames;
+  std::unique_ptr<Slot[]> stack;
+  std::uint32_t capacity = 0;
+
+  Slot* frame() { return stack.get() + frames.back().base; }
+};
+
+}  // namespace mirada::vm

@@ -1,0 +1,74 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "vm/ast.h"
+
+namespace mirada::vm {
+
+/// What a place can hold, as a set.
+using Types = std::uint8_t;
+namespace type {
+constexpr Types number = 1;
+constexpr Types digits = 2;  ///< a text that some number prints as: "5"
+constexpr Types text = 4;    ///< any other text
+constexpr Types truth = 8;
+constexpr Types any = 15;
+}  // namespace type
+
+constexpr bool is_bare(Types t) { return (t & ~(type::number | type::digits)) == 0; }
+
+/// The program's my-blocks, variables and lists, and what each can hold: found by going over all assignments
+/// until nothing is new. A block's own parts are looked up here by the compiler too.
+class TypeTable {
+ public:
+  TypeTable(const Program& program, const std::vector<bool>& runs);
+
+  Types of_block(BlockIndex index) const;  ///< of a reporter or literal; an absent block is an empty text
+  Types of_input(const Block& block, std::string_view input) const;
+  Types variable(int index) const { return variables_[static_cast<std::size_t>(index)]; }
+  Types parameter(int definition, std::size_t param) const {
+    return params_[static_cast<std::size_t>(definition)][param];
+  }
+  Types returned(int definition) const { return returns_[static_cast<std::size_t>(definition)]; }
+
+  /// The variable or list that a block's field names; -1 when it names none. A local one is its script's own.
+  int variable_of(const Block& block, std::string_view field) const;
+  /// The definition that a call means (index into definitions()); -1: none.
+  int definition_of(const Block& call) const;
+  int definition_named(const std::string& id, int sprite) const;
+  /// The definition whose stack a block stands in; -1: none.
+  int definition_around(BlockIndex index) const;
+  const std::vector<BlockIndex>& definitions() const { return definitions_; }
+  const Signature& signature(int definition) const;
+  /// The parameter that an argument reporter means, -1 when none.
+  int parameter_of(BlockIndex reporter) const;
+  BlockIndex top_of(BlockIndex index) const { return top_of_[static_cast<std::size_t>(index)]; }
+
+ private:
+  void find_tops();
+  void find_definitions();
+  void seed();
+  bool pass();
+  bool assign(Types& place, Types what);
+  bool visit(BlockIndex index);
+  bool visit_call(const Block& block);
+  bool falls_through(BlockIndex first) const;
+  Types literal(const Block& block) const;
+
+  const Program& program_;
+  const std::vector<bool>& runs_;
+  bool keep_single_digits_ = false;
+  std::vector<BlockIndex> top_of_;
+  std::vector<BlockIndex> definitions_;
+  std::map<std::pair<std::string, int>, int> definition_ids_;
+  std::unordered_map<std::string, int> variable_ids_;
+  std::vector<Types> variables_;
+  std::vector<std::vector<Types>> params_;
+  std::vector<Types> returns_;
+};
+
+}  // namespace mirada::vm
