@@ -190,7 +190,7 @@ cv::Mat box_side(const BoxConfig& box, double length_m, double px_per_m, Random&
   }
   if (box.look == BoxLook::crate || box.look == BoxLook::drawers) grain(out, 6, 0.10, random);
   modulate(out, soft_noise(out.size(), 24, 4, random), 0.04);
-  edge(out, box.colour);
+  if (box.look != BoxLook::plain) edge(out, box.colour);
   return out;
 }
 
@@ -219,7 +219,6 @@ cv::Mat cylinder(const CylinderConfig& c, double px_per_m, Random& random) {
   } else if (c.look == CylinderLook::plant) {
     cv::rectangle(out, span(0, 0, out.cols, out.rows * 0.15), bgr(shade(c.colour, 1.15)), cv::FILLED);
   }
-  cv::line(out, {0, out.rows - 1}, {out.cols, out.rows - 1}, bgr(shade(c.colour, 0.6)), 2);
   modulate(out, soft_noise(out.size(), 16, 3, random), 0.04);
   return out;
 }

@@ -10,8 +10,8 @@
 namespace mirada::world {
 namespace {
 
-/// Pictures of every shipped room from its start, panned left and right, for people to look at: written to the folder that
-/// MIRADA_GALLERY names (build folder otherwise).
+/// Pictures of every shipped room from its start, panned left and right, for people to look at: written to
+/// the folder that MIRADA_GALLERY names (build folder otherwise).
 std::filesystem::path gallery() {
   const char* folder = std::getenv("MIRADA_GALLERY");
   const std::filesystem::path out = folder ? folder : "gallery";
@@ -34,7 +34,8 @@ TEST(Gallery, EveryRoomGivesALivelyPictureInEveryDirection) {
       EXPECT_GT(mean[1], 40) << id << pan_deg;
       EXPECT_LT(mean[1], 225) << id << pan_deg;
       EXPECT_GT(spread[1], 6) << id << pan_deg;
-      cv::imwrite((gallery() / (id + "_pan" + std::to_string(static_cast<int>(pan_deg)) + ".png")).string(), frame->bgr);
+      cv::imwrite((gallery() / (id + "_pan" + std::to_string(static_cast<int>(pan_deg)) + ".png")).string(),
+                  frame->bgr);
     }
   }
 }
