@@ -57,7 +57,7 @@ void check_edges(JsonReader& json, const CameraModel& camera) {
   for (const Eigen::Vector2d& pixel : middles) {
     if (camera.unproject(pixel)) continue;
     const std::string text = number_text(pixel.x(), 0) + ", " + number_text(pixel.y(), 0);
-    json.fault("distortion", messages::camera_distortion_folds, {{"corner", text}});
+    json.fault("distortion", messages::camera_distortion_folds, {{"pixel", text}});
     return;
   }
 }

@@ -19,11 +19,10 @@ inline constexpr Message camera_view_twice{
     "camera_view_twice",
     "{field} {value} and fx_px do not belong together: this fx_px sees {seen} degrees. Keep one of them.",
     "{field} {value} y fx_px no concuerdan: ese fx_px abarca {seen} grados. Deja uno de los dos."};
-inline constexpr Message camera_distortion_folds{"camera_distortion_folds",
-                                                 "{field} cannot be right: with it the corner of the picture "
-                                                 "({corner}) is seen by no ray. Calibrate again.",
-                                                 "{field} no puede ser correcto: con él la esquina de la "
-                                                 "imagen ({corner}) no la ve ningún rayo. Calibra de nuevo."};
+inline constexpr Message camera_distortion_folds{
+    "camera_distortion_folds",
+    "{field} cannot be right: with it the pixel {pixel} is seen by no ray. Calibrate again.",
+    "{field} no puede ser correcto: con él ningún rayo ve el píxel {pixel}. Calibra de nuevo."};
 inline constexpr Message range_reversed{"range_reversed",
                                         "{field} is {value}; it must not be below min_deg ({min}).",
                                         "{field} es {value}; no puede ser menor que min_deg ({min})."};
