@@ -38,6 +38,7 @@ export default defineConfig({
   server: { port: 5173, proxy: { '/api': robot, '/ws': { target: robot, ws: true } } },
   test: {
     environment: 'node',
+    testTimeout: 60_000,
     include: ['tests/**/*_test.ts'],
     // The Node entry of Blockly wants jsdom; its compressed core works headless without a page.
     alias: {
