@@ -10,5 +10,6 @@ struct Commands {
 };
 
 void add_see(Commands& commands);
+void add_calibrate(Commands& commands);
 
 }  // namespace mirada

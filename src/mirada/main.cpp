@@ -7,6 +7,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   mirada::Commands commands{app};
   mirada::add_see(commands);
+  mirada::add_calibrate(commands);
   CLI11_PARSE(app, argc, argv);
   return commands.exit_code;
 }

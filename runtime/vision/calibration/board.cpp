@@ -34,10 +34,9 @@ void check_length(double value_mm, double most_mm, const char* place, Faults& fa
 
 void check_grid(const std::string& text, const char* place, BoardSpec& board, Faults& faults) {
   if (read_grid(text, board.corner_columns, board.corner_rows)) return;
-  faults.push_back(make_fault(place, messages::board_grid,
-                              {{"value", text},
-                               {"min", std::to_string(kFewest)},
-                               {"max", std::to_string(kMost)}}));
+  faults.push_back(
+      make_fault(place, messages::board_grid,
+                 {{"value", text}, {"min", std::to_string(kFewest)}, {"max", std::to_string(kMost)}}));
 }
 
 bool read_dictionary(const std::string& name, TagFamily& family) {
@@ -79,9 +78,9 @@ Result<BoardSpec> charuco_spec(const std::string& squares, double square_mm, dou
   }
   const int marks = board.corner_columns * board.corner_rows / 2;
   if (faults.empty() && marks > family_size(board.markers)) {
-    faults.push_back(make_fault("--charuco", messages::board_too_many_marks,
-                                {{"marks", std::to_string(marks)},
-                                 {"max", std::to_string(family_size(board.markers))}}));
+    faults.push_back(
+        make_fault("--charuco", messages::board_too_many_marks,
+                   {{"marks", std::to_string(marks)}, {"max", std::to_string(family_size(board.markers))}}));
   }
   if (!faults.empty()) return faults;
   --board.corner_columns;

@@ -36,8 +36,8 @@ struct BoardView {
   double roughness = 0;      ///< grain inside black squares, as a share of the black-white step
 };
 
-/// Reads a board's measures as people give them: "9x6", mm. `marker_mm` 0 means three fifths of a square. Every
-/// fault at once.
+/// Reads a board's measures as people give them: "9x6", mm. `marker_mm` 0 means three fifths of a square.
+/// Every fault at once.
 Result<BoardSpec> chessboard_spec(const std::string& corners, double square_mm);
 /// `squares` counts squares, as ChArUco boards do; `dictionary` is 4x4, 5x5, 6x6 or 36h11.
 Result<BoardSpec> charuco_spec(const std::string& squares, double square_mm, double marker_mm,

@@ -10,8 +10,8 @@ class BoardFinder {
  public:
   explicit BoardFinder(const BoardSpec& board);
 
-  /// The board's corners in a CV_8UC1 picture, to about a twentieth of a pixel; or why not and what to do: too
-  /// small, without contrast, no board, cut off, another board, blurred, from a screen. `image` names the
+  /// The board's corners in a CV_8UC1 picture, to about a twentieth of a pixel; or why not and what to do:
+  /// too small, without contrast, no board, cut off, another board, blurred, from a screen. `image` names the
   /// picture in faults. All inner corners of a chessboard; of a ChArUco board those whose marks are seen.
   Result<BoardView> find(const cv::Mat& gray, const std::string& image);
 
@@ -19,7 +19,6 @@ class BoardFinder {
 
  private:
   Result<std::vector<cv::Point2f>> chessboard(const cv::Mat& gray, const std::string& image) const;
-  Result<BoardView> charuco(const cv::Mat& gray, const std::string& image);
 
   BoardSpec board_;
   TagFinder tags_;

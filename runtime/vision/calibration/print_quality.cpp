@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include <opencv2/imgproc.hpp>
+
 namespace mirada::vision {
 namespace {
 
@@ -100,7 +102,10 @@ std::optional<Patch> patch_of(const cv::Mat& gray, const std::array<cv::Point2f,
   return out;
 }
 
-double roughness(const cv::Mat& gray, const std::vector<cv::Point2f>& corners, std::size_t columns) {
+double roughness(const cv::Mat& sharp, const std::vector<cv::Point2f>& corners, std::size_t columns) {
+  // Stripes are wider than a pixel; the sensor's noise, which is no fault of the board, is not.
+  cv::Mat gray;
+  cv::GaussianBlur(sharp, gray, {}, 1.2);
   std::vector<Patch> patches;
   for (std::size_t i = 0; i + columns + 1 < corners.size(); ++i) {
     if (i % columns + 1 == columns) continue;
@@ -134,7 +139,8 @@ PrintQuality print_quality(const cv::Mat& gray, const std::vector<cv::Point2f>& 
   return {std::max(median(along_rows), median(along_columns)), roughness(gray, corners_px, wide)};
 }
 
-int refining_half_window_px(const std::vector<cv::Point2f>& corners_px, int columns, double share) {
+int refining_half_window_px(const std::vector<cv::Point2f>& corners_px, int columns, int picture_width_px,
+                            double share) {
   const auto wide = static_cast<std::size_t>(columns);
   double smallest = 1e9;
   const auto compare = [&](std::size_t i, std::size_t j) {
@@ -146,7 +152,8 @@ int refining_half_window_px(const std::vector<cv::Point2f>& corners_px, int colu
     if (i % wide + 1 < wide) compare(i, i + 1);
     if (i + wide < corners_px.size()) compare(i, i + wide);
   }
-  return std::clamp(static_cast<int>(std::lround(share * smallest)), 2, kLargestHalfWindow_px);
+  return std::clamp(static_cast<int>(std::lround(share * smallest)), 2,
+                    std::max(kLargestHalfWindow_px, picture_width_px / 160));
 }
 
 }  // namespace mirada::vision

@@ -12,8 +12,8 @@
 namespace mirada::vision {
 namespace {
 
-/// A family made of our own tables, in libapriltag's terms. The bits go round: the second quarter is the first
-/// turned by 90 degrees and so on, for so the library turns a code.
+/// A family made of our own tables, in libapriltag's terms. The bits go round: the second quarter is the
+/// first turned by 90 degrees and so on, for so the library turns a code.
 struct ArucoFamily {
   ArucoFamily(std::span<const std::uint64_t> codes_by_rows, int side, int min_distance) {
     for (int turn = 0; turn < 4; ++turn) add_quarter(side, turn);

@@ -7,12 +7,12 @@
 
 namespace mirada::vision {
 
-/// Which printed marks to look for. The ArUco kinds are the marks of ChArUco boards (OpenCV's DICT_4X4_250 and
-/// its sisters; the first 50 and 100 of each are OpenCV's smaller dictionaries).
+/// Which printed marks to look for. The ArUco kinds are the marks of ChArUco boards (OpenCV's DICT_4X4_250
+/// and its sisters; the first 50 and 100 of each are OpenCV's smaller dictionaries).
 enum class TagFamily { april_36h11, aruco_4x4, aruco_5x5, aruco_6x6 };
 
-/// One mark seen in a picture. Corners of its black square in pixels (pixel centres at integers): top left, top
-/// right, bottom right, bottom left as it is printed.
+/// One mark seen in a picture. Corners of its black square in pixels (pixel centres at integers): top left,
+/// top right, bottom right, bottom left as it is printed.
 struct TagSighting {
   int id = 0;
   std::array<cv::Point2d, 4> corners_px;
