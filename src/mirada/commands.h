@@ -9,6 +9,7 @@ struct Commands {
   int exit_code = 0;
 };
 
+void add_run(Commands& commands);
 void add_see(Commands& commands);
 void add_calibrate(Commands& commands);
 

@@ -1,0 +1,14 @@
+#include "blocks/native_blocks.h"
+
+namespace mirada::blocks {
+
+vm::NativeTable native_blocks(const std::shared_ptr<const Link>& link) {
+  vm::NativeTable table;
+  add_motion_blocks(table, link);
+  add_looking_blocks(table, link);
+  add_vision_blocks(table, link);
+  add_say_blocks(table, link);
+  return table;
+}
+
+}  // namespace mirada::blocks

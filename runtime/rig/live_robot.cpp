@@ -1,0 +1,96 @@
+#include "rig/live_robot.h"
+
+#include "rig/camera_choice.h"
+#include "rig/detectors.h"
+
+namespace mirada::rig {
+namespace {
+
+constexpr Micros kWorldStep = 10 * kMillisecond;
+constexpr Micros kTick = 20 * kMillisecond;
+constexpr Micros kMostBehind = 60 * kMillisecond;
+
+session::SessionOptions session_options(const LiveParts& parts) {
+  session::SessionOptions out;
+  out.seed = parts.setup.seed;
+  out.runs_before = parts.runs_before;
+  return out;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<LiveRobot>> LiveRobot::build(const LiveParts& parts) {
+  auto clock = std::make_unique<ManualClock>();
+  std::unique_ptr<hal::Camera> camera;
+  if (!parts.camera.empty()) {
+    auto opened = open_camera(parts.camera, parts.robot, *clock);
+    if (!opened) return opened.faults();
+    camera = std::move(*opened);
+  }
+  return std::unique_ptr<LiveRobot>(new LiveRobot(parts, std::move(camera), std::move(clock)));
+}
+
+LiveRobot::LiveRobot(const LiveParts& parts, std::unique_ptr<hal::Camera> camera,
+                     std::unique_ptr<ManualClock> clock)
+    : setup_(parts.setup),
+      clock_(std::move(clock)),
+      simulation_(parts.world, parts.robot, parts.setup.seed),
+      camera_(std::move(camera)),
+      robot_(parts.robot,
+             {camera_ ? camera_.get() : &simulation_.camera(), &simulation_.drive(), &simulation_.neck()},
+             make_detectors(parts.robot), robot::Timing::live, *clock_, wall_),
+      link_(std::make_shared<blocks::Link>()),
+      packs_(shipped_packs(link_)),
+      session_(robot_, packs_.catalog, session_options(parts)) {
+  link_->robot = &robot_;
+  link_->host = &session_.host();
+  robot_.observe();
+  wall_behind_ = wall_.now() - simulation_.now();
+}
+
+LiveRobot::~LiveRobot() { robot_.safety().stop(); }
+
+void LiveRobot::step(PictureEncoder& encoder) {
+  const Micros target = wall_.now() - wall_behind_;
+  // After a hiccup the room's time is allowed to be late: a burst of steps would only make the next one.
+  if (target - simulation_.now() > kMostBehind) wall_behind_ += target - simulation_.now() - kMostBehind;
+  while (simulation_.now() + kWorldStep <= wall_.now() - wall_behind_) {
+    simulation_.step(kWorldStep);
+    clock_->set(simulation_.now());
+    robot_.observe();
+    if (simulation_.now() < next_tick_) continue;
+    next_tick_ = simulation_.now() + kTick;
+    session_.tick();
+  }
+  const Frame& frame = robot_.perception().frame();
+  if (wanted_.camera && frame.number != shown_frame_) {
+    shown_frame_ = frame.number;
+    encoder.offer(frame);
+  }
+  if (board_.due(clock_->now(), session_.run(), session_.state())) publish();
+}
+
+Micros LiveRobot::idle_for() const {
+  const Micros next = simulation_.now() + kWorldStep;
+  return std::max<Micros>(0, next - (wall_.now() - wall_behind_));
+}
+
+void LiveRobot::publish() {
+  session::Telemetry telemetry = session_.snapshot();
+  if (wanted_.room) telemetry.scene_json = simulation_.scene_json();
+  board_.publish(std::move(telemetry));
+}
+
+void LiveRobot::put_back() {
+  session_.stop(session::StopReason::put_back);
+  simulation_.put_back();
+  robot_.forget();
+  robot_.gaze().look_ahead();
+}
+
+void LiveRobot::want(const session::Wanted& wanted) {
+  wanted_ = wanted;
+  session_.want(wanted);
+}
+
+}  // namespace mirada::rig

@@ -1,0 +1,68 @@
+#pragma once
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "rig/live_robot.h"
+#include "session/station.h"
+
+namespace mirada::rig {
+
+/// The live robot's threads behind the server's contract: a control thread (room, perception, scripts), a
+/// watchdog, and the picture encoder. Stop is a path of its own: it goes straight to Safety.
+class LiveStation final : public session::Station {
+ public:
+  /// `base` says what does not change with choose(): camera.
+  explicit LiveStation(std::unique_ptr<LiveRobot> robot, std::string camera);
+  ~LiveStation() override;
+
+  Result<session::Started> start(const std::string& program_json) override;
+  void stop(session::StopReason why) override;
+  void pause(bool on) override;
+  void key(const std::string& name, bool down) override;
+  void evaluate(const std::string& program_json, const std::string& block_id,
+                std::function<void(Result<vm::MonitorValue>)> answer) override;
+
+  session::Setup setup() const override;
+  std::vector<session::Option> worlds() const override;
+  std::vector<session::Option> robots() const override;
+  Status choose(const session::Setup& setup) override;
+  Status put_back() override;
+
+  void want(const session::Wanted& wanted) override;
+  std::shared_ptr<const session::Telemetry> telemetry() const override;
+  std::shared_ptr<const session::Picture> picture() const override;
+
+ private:
+  using Command = std::function<void(LiveRobot&)>;
+
+  std::shared_ptr<LiveRobot> robot() const;
+  void post(Command command);
+  /// post(), and waits until it has been done.
+  void post_and_wait(const Command& command);
+  void control_loop();
+  void watchdog_loop();
+  std::deque<Command> take_commands();
+
+  const std::string camera_;
+  PictureEncoder encoder_;
+  mutable std::mutex robot_mutex_;  // the pointer
+  std::shared_ptr<LiveRobot> robot_;
+  std::mutex choose_mutex_;  // one choose() at a time
+  std::mutex commands_mutex_;
+  std::condition_variable commands_wake_;
+  std::deque<Command> commands_;
+  bool closing_ = false;    // under commands_mutex_
+  session::Wanted wanted_;  // under commands_mutex_
+  std::mutex watchdog_mutex_;
+  std::condition_variable watchdog_wake_;
+  bool watchdog_closing_ = false;
+  std::thread control_;
+  std::thread watchdog_;
+};
+
+}  // namespace mirada::rig

@@ -1,0 +1,70 @@
+#include "rig/setup_reader.h"
+
+#include "base/files.h"
+#include "rig/messages.h"
+
+namespace mirada::rig {
+namespace {
+
+/// The id asked for, or the first that ships.
+Result<std::string> chosen(const std::string& asked, const std::vector<std::string>& shipped,
+                           const char* what, const char* folder) {
+  if (!asked.empty()) return asked;
+  if (!shipped.empty()) return shipped.front();
+  return make_fault("", messages::nothing_ships, {{"what", what}, {"folder", data_folder(folder).string()}});
+}
+
+template <class T>
+void keep_faults(const Result<T>& result, Faults& faults) {
+  if (!result) faults.insert(faults.end(), result.faults().begin(), result.faults().end());
+}
+
+Result<world::WorldConfig> read_world(const std::string& asked) {
+  const auto id = chosen(asked, world::shipped_worlds(), "room", "runtime/world/rooms");
+  if (!id) return id.faults();
+  return world::world_by_name(*id);
+}
+
+Result<RobotConfig> read_robot(const std::string& asked) {
+  const auto id = chosen(asked, shipped_robots(), "robot", "runtime/model/robots");
+  if (!id) return id.faults();
+  return robot_by_name(*id);
+}
+
+}  // namespace
+
+Result<LiveParts> read_setup(const session::Setup& setup, const std::string& camera) {
+  auto world = read_world(setup.world);
+  auto robot = read_robot(setup.robot);
+  Faults faults;
+  keep_faults(world, faults);
+  keep_faults(robot, faults);
+  if (!faults.empty()) return faults;
+  LiveParts parts;
+  parts.setup = setup;
+  if (setup.world.empty()) parts.setup.world = world->id;
+  if (setup.robot.empty()) parts.setup.robot = robot->id;
+  parts.setup.simulated = camera.empty();
+  parts.world = std::move(*world);
+  parts.robot = std::move(*robot);
+  parts.camera = camera;
+  return parts;
+}
+
+std::vector<session::Option> world_options() {
+  std::vector<session::Option> options;
+  for (const std::string& id : world::shipped_worlds()) {
+    if (const auto world = world::world_by_name(id)) options.push_back({id, world->name_en, world->name_es});
+  }
+  return options;
+}
+
+std::vector<session::Option> robot_options() {
+  std::vector<session::Option> options;
+  for (const std::string& id : shipped_robots()) {
+    if (const auto robot = robot_by_name(id)) options.push_back({id, robot->name_en, robot->name_es});
+  }
+  return options;
+}
+
+}  // namespace mirada::rig

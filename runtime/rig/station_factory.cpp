@@ -1,0 +1,20 @@
+#include "rig/station_factory.h"
+
+#include "rig/live_station.h"
+#include "rig/setup_reader.h"
+
+namespace mirada::rig {
+
+Result<std::unique_ptr<session::Station>> make_station(const StationOptions& options) {
+  session::Setup setup;
+  setup.world = options.world;
+  setup.robot = options.robot;
+  setup.seed = options.seed;
+  auto parts = read_setup(setup, options.camera);
+  if (!parts) return parts.faults();
+  auto robot = LiveRobot::build(*parts);
+  if (!robot) return robot.faults();
+  return std::unique_ptr<session::Station>(std::make_unique<LiveStation>(std::move(*robot), options.camera));
+}
+
+}  // namespace mirada::rig
