@@ -37,7 +37,7 @@ test('5,000 blocks in one stack run', () => {
 
 test('5,001 blocks, cut-off JSON, an unknown block, no file: each is refused in words', () => {
   const blocks = Array.from({ length: 5000 }, (_, i) => changeN(`b${i}`));
-  const whole = JSON.stringify(flagProgram(changeN('b')));
+  const whole = flagProgram(changeN('b'));
   const bad = {
     'too-many.json': [flagProgram(...blocks), /5,?000/],
     'cut.json': [whole.slice(0, 200), /byte/],
@@ -72,6 +72,12 @@ test('an invalid run still writes its report', () => {
 
 test('check finds nothing wrong with what ships', () => {
   assert.equal(mirada(['check', avoid]).status, 0);
+});
+
+test('what the command line does not know is refused', () => {
+  refused(mirada([]), /subcommand/);
+  refused(mirada(['run', avoid, '--speed', '9']), /--speed/);
+  refused(mirada(['run', avoid, '--seconds', '-1']), /--seconds/);
 });
 
 test('every subcommand explains itself', () => {
