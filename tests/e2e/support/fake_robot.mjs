@@ -183,6 +183,18 @@ export class FakeRobot {
     });
   }
 
+  seat() {
+    const { owner } = this;
+    return {
+      you: "viewer-1",
+      you_drive: owner === "viewer-1",
+      may_drive: true,
+      owner,
+      taken: owner !== null,
+      viewers: 1,
+    };
+  }
+
   choices() {
     return {
       worlds: [

@@ -7,7 +7,7 @@ import { editor } from '../state/editor';
 import { folded } from '../state/panels';
 import {
   link,
-  mayDrive,
+  free,
   pause,
   paused,
   release,
@@ -17,7 +17,7 @@ import {
   stop,
   stopping,
   telemetry,
-  viewers,
+  seat,
   worlds,
   youDrive,
 } from '../state/robot';
@@ -32,7 +32,7 @@ function focusStage(): void {
 }
 
 function Drive() {
-  const ready = link.value === 'up' && mayDrive.value && editor.value !== null;
+  const ready = link.value === 'up' && free.value && editor.value !== null;
   return (
     <div class="drive" role="group" aria-label={t('main_controls')}>
       <button
@@ -107,15 +107,15 @@ function RobotButton() {
 
 function Driver() {
   if (link.value !== 'up') return null;
-  const others = viewers.value > 1 ? t('viewers', { n: viewers.value - 1 }) : '';
-  const who = youDrive.value ? t('you_drive') : mayDrive.value ? '' : t('watching');
+  const others = seat.value.viewers > 1 ? t('viewers', { n: seat.value.viewers - 1 }) : '';
+  const who = youDrive.value ? t('you_drive') : free.value ? '' : t('watching');
   if (!who && !others) return null;
   return (
     <span class="driver" data-testid="driver">
       {who}
       {who && others && ' · '}
       {others}
-      {youDrive.value && !running.value && viewers.value > 1 && (
+      {youDrive.value && !running.value && seat.value.viewers > 1 && (
         <button type="button" class="link" onClick={release}>
           {t('give_up')}
         </button>

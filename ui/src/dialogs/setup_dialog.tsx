@@ -1,6 +1,6 @@
 import { useState } from 'preact/hooks';
 import { say, t } from '../messages';
-import { choose, mayDrive, putBack, robots, setup, worlds } from '../state/robot';
+import { choose, free, putBack, robots, setup, worlds } from '../state/robot';
 import type { Choice } from '../wire/protocol';
 import { Dialog, closeDialog, openDialog } from './dialog';
 
@@ -77,12 +77,12 @@ function SetupDialog() {
             <p class="quiet">{t('seed_hint')}</p>
           </div>
         )}
-        {!mayDrive.value && <p class="field-fault">{t('watching')}</p>}
+        {!free.value && <p class="field-fault">{t('watching')}</p>}
         <footer>
           <button
             type="button"
             class="button"
-            disabled={!mayDrive.value}
+            disabled={!free.value}
             onClick={() => {
               putBack();
               closeDialog();
@@ -90,7 +90,7 @@ function SetupDialog() {
           >
             ↺ {t('put_back')}
           </button>
-          <button type="submit" class="button primary" data-first disabled={!mayDrive.value || !seedOk}>
+          <button type="submit" class="button primary" data-first disabled={!free.value || !seedOk}>
             {t('use_it')}
           </button>
         </footer>

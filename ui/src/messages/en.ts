@@ -65,6 +65,7 @@ export const en = {
   watching: 'Somebody else drives. You watch.',
   give_up: 'Let others drive',
   viewers: '{n} watching',
+  ask_code: 'Join code, as the robot’s screen shows it',
   state_idle: 'ready',
   state_running: 'running',
   state_paused: 'paused',

@@ -66,6 +66,7 @@ export const es: Record<MessageKey, string> = {
   watching: 'Conduce otra persona. Tú miras.',
   give_up: 'Dejar conducir a otros',
   viewers: '{n} mirando',
+  ask_code: 'Código de acceso, como lo muestra la pantalla del robot',
   state_idle: 'listo',
   state_running: 'en marcha',
   state_paused: 'en pausa',

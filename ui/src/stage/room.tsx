@@ -2,7 +2,7 @@ import { useComputed } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { t } from '../messages';
 import { editor } from '../state/editor';
-import { mayDrive, putBack, telemetry } from '../state/robot';
+import { free, putBack, telemetry } from '../state/robot';
 import type { Point, Scene } from '../wire/protocol';
 import { MotionTrack, type Pose } from './motion_track';
 import { drawActors, drawRoom } from './room_draw';
@@ -126,7 +126,7 @@ export function Room() {
     <section class="card room-card" aria-label={t('room_above')}>
       <header class="card-head">
         <h2>{t('room_above')}</h2>
-        <button type="button" class="button small" disabled={!mayDrive.value} onClick={putBack}>
+        <button type="button" class="button small" disabled={!free.value} onClick={putBack}>
           ↺ {t('put_back')}
         </button>
       </header>

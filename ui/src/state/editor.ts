@@ -5,13 +5,14 @@ import { Canvas } from '../canvas/canvas';
 import { countBlocks, maxBlocks } from '../canvas/load_save';
 import { FaultMarks, Glow } from '../canvas/marks';
 import { answerClicks } from '../canvas/value_bubble';
+import { askText } from '../dialogs/ask';
 import { type MessageKey, lang, say, t } from '../messages';
 import { type Program, eachBlock, makeProgram, readProgram } from '../model/program';
 import type { Lang } from '../model/words';
 import type { Robot } from '../wire/api';
 import type { Example } from '../wire/protocol';
 import { Keeper, emptyProject, lastProject, projectName, recover } from './project';
-import { faults, noteKey, run, startFaults, telemetry } from './robot';
+import { codeWanted, faults, giveCode, noteKey, run, startFaults, telemetry } from './robot';
 import { type Project, ProjectStore } from './store';
 
 const emptyWorkspace = { blocks: { languageVersion: 0, blocks: [] }, variables: [] };
@@ -41,6 +42,9 @@ export class Editor {
     const glow = new Glow(this.canvas.workspace);
     effect(() => glow.show(telemetry.value?.state === 'running' ? telemetry.value.blocks : []));
     effect(() => this.faultMarks.show(faults.value));
+    codeWanted.subscribe((times) => {
+      if (times > 0) askText(t('ask_code'), '', () => null, giveCode);
+    });
   }
 
   static async start(container: HTMLElement, robot: Robot): Promise<Editor> {

@@ -1,6 +1,6 @@
 /** What the page knows of the robot, as signals, and what it may ask of it. */
 import { batch, computed, signal } from '@preact/signals';
-import { type MessageKey, lang, say, t } from '../messages';
+import { type MessageKey, say, t } from '../messages';
 import { newUuid } from '../model/ids';
 import { writeJson } from '../model/json';
 import type { Program } from '../model/program';
@@ -11,17 +11,18 @@ import type {
   Fault,
   FromRobot,
   PictureHeader,
+  Seat,
   Setup,
   SetupAnswer,
   Telemetry,
+  ToRobot,
   Value,
   Watch,
 } from '../wire/protocol';
 
 export const link = signal<Link>('connecting');
-export const you = signal('');
-export const owner = signal('');
-export const viewers = signal(0);
+const nobody: Seat = { you: '', you_drive: false, may_drive: true, owner: null, taken: false, viewers: 0 };
+export const seat = signal<Seat>(nobody);
 export const setup = signal<Setup | null>(null);
 export const worlds = signal<Choice[]>([]);
 export const robots = signal<Choice[]>([]);
@@ -31,6 +32,8 @@ export const telemetryAt = signal(0);
 export const picture = signal<{ header: PictureHeader; bitmap: ImageBitmap } | null>(null);
 export const stopping = signal(false);
 export const starting = signal(false);
+/** Counts how often the robot asked for the join code. */
+export const codeWanted = signal(0);
 /** Faults of the newest try to start: errors when it was refused, warnings when it runs. */
 export const startFaults = signal<Fault[]>([]);
 
@@ -46,8 +49,9 @@ export const running = computed(
   () => telemetry.value?.state === 'running' || telemetry.value?.state === 'paused',
 );
 export const paused = computed(() => telemetry.value?.state === 'paused');
-export const youDrive = computed(() => owner.value !== '' && owner.value === you.value);
-export const mayDrive = computed(() => owner.value === '' || youDrive.value);
+export const youDrive = computed(() => seat.value.you_drive);
+/** Nobody else holds the robot. */
+export const free = computed(() => !seat.value.taken || seat.value.you_drive);
 /** All faults to show: those of the start, and those of the run. */
 export const faults = computed(() => [...startFaults.value, ...(telemetry.value?.faults ?? [])]);
 
@@ -80,6 +84,19 @@ function clientId(): string {
   return made;
 }
 
+/** A duplicated tab starts with its original's client id: whoever holds it already says so, the copy takes a new one. */
+function keepClientUnique(): void {
+  const channel = new BroadcastChannel('mirada');
+  const tab = newUuid();
+  channel.onmessage = ({ data }: MessageEvent<{ tab: string; asks?: string; held?: string }>) => {
+    if (data.asks === clientId()) channel.postMessage({ tab: data.tab, held: data.asks });
+    if (data.tab !== tab || data.held !== clientId()) return;
+    sessionStorage.removeItem('mirada.client');
+    connection?.restart();
+  };
+  channel.postMessage({ tab, asks: clientId() });
+}
+
 function noteStop(before: Telemetry | null, after: Telemetry): void {
   const ended = before && before.state !== 'idle' && after.state === 'idle';
   if (!ended || after.stop_reason === 'none') return;
@@ -101,17 +118,14 @@ function noteStop(before: Telemetry | null, after: Telemetry): void {
 function receive(message: FromRobot): void {
   switch (message.type) {
     case 'welcome':
-      you.value = message.you;
-      owner.value = message.owner;
-      viewers.value = message.viewers;
+      seat.value = message;
       setup.value = message.setup;
       worlds.value = message.worlds;
       robots.value = message.robots;
       connection?.send({ type: 'watch', ...watched });
       break;
     case 'owner':
-      owner.value = message.owner;
-      viewers.value = message.viewers;
+      seat.value = message;
       break;
     case 'telemetry':
       noteStop(telemetry.peek(), message);
@@ -120,6 +134,7 @@ function receive(message: FromRobot): void {
       if (message.state === 'idle') stopping.value = false;
       break;
     case 'notice':
+      if (message.code === 'code_wrong') sessionStorage.removeItem('mirada.code');
       noteWords(message.severity, message.message);
       break;
     case 'started':
@@ -128,7 +143,10 @@ function receive(message: FromRobot): void {
       noteKey('info', 'started');
       break;
     case 'refused':
-      refused(message.faults);
+      refused(message.to, message.faults);
+      break;
+    case 'stopped':
+      stopping.value = false;
       break;
     case 'setup':
       setup.value = message.setup;
@@ -140,16 +158,23 @@ function receive(message: FromRobot): void {
   }
 }
 
-function refused(list: Fault[]): void {
-  const wasStart = starting.peek();
-  starting.value = false;
-  if (!wasStart) {
+function refused(to: string, list: Fault[]): void {
+  if (list.some((fault) => fault.code === 'code_needed')) {
+    starting.value = false;
+    codeWanted.value += 1;
+    return;
+  }
+  if (to !== 'run') {
     for (const fault of list) noteWords(fault.severity, fault.message);
     return;
   }
+  starting.value = false;
   startFaults.value = list;
-  const n = list.filter((fault) => fault.severity === 'error').length;
-  if (n > 0) noteKey('error', n === 1 ? 'refused_one' : 'refused_many', { n });
+  const onBlocks = list.filter((fault) => fault.severity === 'error' && fault.place);
+  const n = onBlocks.length;
+  if (n === 1 && list.length === 1) noteKey('error', 'refused_one');
+  else if (n > 1) noteKey('error', 'refused_many', { n });
+  else for (const fault of list) noteWords(fault.severity, fault.message);
 }
 
 let decoding = false;
@@ -173,22 +198,34 @@ function linkChanged(now: Link): void {
     link.value = now;
     if (now === 'lost') {
       starting.value = false;
-      owner.value = '';
+      seat.value = nobody;
       telemetry.value = null;
     }
     if (now === 'up' && before === 'lost') noteKey('info', 'link_again');
   });
 }
 
+function hello(): ToRobot {
+  const code = sessionStorage.getItem('mirada.code');
+  return { type: 'hello', version: 1, client: clientId(), ...(code ? { code } : {}) };
+}
+
+/** Shows the robot the join code; it answers with a new welcome, or says that the code is wrong. */
+export function giveCode(code: string): void {
+  sessionStorage.setItem('mirada.code', code);
+  connection?.send(hello());
+}
+
 export function connect(answer: SetupAnswer): void {
   setup.value = answer.setup;
   worlds.value = answer.worlds;
   robots.value = answer.robots;
+  keepClientUnique();
   connection = new Connection({
     link: linkChanged,
     message: (message) => batch(() => receive(message)),
     picture: showPicture,
-    hello: () => ({ type: 'hello', version: 1, client: clientId(), lang: lang.peek() }),
+    hello,
   });
 }
 

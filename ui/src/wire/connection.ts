@@ -50,6 +50,11 @@ export class Connection {
     return true;
   }
 
+  /** Connects anew, as somebody else. */
+  restart(): void {
+    this.socket?.close();
+  }
+
   private open(): void {
     window.clearTimeout(this.timer);
     const scheme = location.protocol === 'https:' ? 'wss' : 'ws';

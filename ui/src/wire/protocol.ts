@@ -116,7 +116,7 @@ export interface Watch {
 }
 
 export type ToRobot =
-  | { type: 'hello'; version: 1; client: string; lang: Lang }
+  | { type: 'hello'; version: 1; client: string; code?: string }
   | { type: 'run'; program: Program }
   | { type: 'stop' }
   | { type: 'pause'; on: boolean }
@@ -127,23 +127,32 @@ export type ToRobot =
   | ({ type: 'watch' } & Watch)
   | { type: 'release' };
 
+/** Who this page is for the robot, and who drives. */
+export interface Seat {
+  you: string;
+  you_drive: boolean;
+  /** False: the join code is missing. */
+  may_drive: boolean;
+  owner: string | null;
+  taken: boolean;
+  viewers: number;
+}
+
 export type FromRobot =
-  | {
+  | ({
       type: 'welcome';
       version: number;
-      you: string;
-      owner: string;
-      viewers: number;
       setup: Setup;
       worlds: Choice[];
       robots: Choice[];
       robot_clock_us: number;
-    }
-  | { type: 'owner'; owner: string; you_drive: boolean; viewers: number }
+    } & Seat)
+  | ({ type: 'owner' } & Seat)
   | ({ type: 'telemetry' } & Telemetry)
   | { type: 'notice'; code: string; severity: string; message: Words }
   | { type: 'started'; run: number; warnings: Fault[] }
-  | { type: 'refused'; faults: Fault[] }
+  | { type: 'refused'; to: string; faults: Fault[] }
+  | { type: 'stopped' }
   | { type: 'value'; request: number; value?: Value; fault?: Fault }
   | { type: 'setup'; setup: Setup };
 
