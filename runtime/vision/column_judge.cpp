@@ -18,14 +18,33 @@ constexpr int kLineRows = 10;      // a line running away from the robot is at l
 constexpr int kDeepestShade = 85;  // Look units of light: a factor of 3.6
 constexpr int kLongestRamp = 18;   // rows of a shadow's soft rim
 constexpr int kSurfaceRows = 8;
+constexpr double kRough = 4;            // Look units: a floor with a pattern
+constexpr double kPatternSeen_m = 1.0;  // farther away patterns blur
+constexpr int kSameColour = 3;          // Look units, of means
+constexpr double kSkirting_m = 0.13;
 constexpr int kMostJoints = 8;  // crossed on one shaded surface
 
 }  // namespace
 
-bool ColumnScan::is_shade_of_floor(const Look& look) const {
-  const Look floor = floor_.look();
-  const int colour = std::max(std::abs(look.red - floor.red), std::abs(look.blue - floor.blue));
-  return colour <= std::max(5, tolerance_.colour) && std::abs(look.light - floor.light) <= kDeepestShade;
+/// The same colour in another light. Where it is dark, colours come nearer to grey.
+bool ColumnScan::is_shade_of(const Look& floor, const Look& look) const {
+  const double paling = std::clamp((floor.light - look.light) / 100.0, 0.0, 1.0);
+  const auto fits = [&](int here, int there) {
+    return std::abs(here - there) <= kSameColour + 0.35 * paling * std::abs(there - 128);
+  };
+  return fits(look.red, floor.red) && fits(look.blue, floor.blue) &&
+         std::abs(look.light - floor.light) <= kDeepestShade;
+}
+
+/// Shade keeps the floor's pattern; a board or a box in the floor's colour is smooth on a rough floor.
+bool ColumnScan::is_as_rough_as_floor(int column, int from, int to) const {
+  const bool far = scale_.depth_m[static_cast<std::size_t>(from)] > kPatternSeen_m;
+  if (far || texture_.light_sigma < kRough || from - to < kSurfaceRows) return true;
+  int sum = 0;
+  int n = 0;
+  for (int r = from; r - 3 >= to; --r, ++n)
+    sum += std::abs(grid_.look(column, r).light - grid_.look(column, r - 3).light);
+  return n == 0 || 0.886 * sum / n > 0.3 * texture_.light_sigma;
 }
 
 /// The row from which the floor, or the `surface` it has turned into, goes on after an interruption at `row`
@@ -132,9 +151,9 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) const 
   const int settled = end_of_ramp(column, row, top);
   if (settled - kSurfaceRows < top) return obstacle;
   const Look shade = mean_look(column, settled - kSurfaceRows + 1, settled);
-  if (!is_shade_of_floor(shade)) return obstacle;
-  Surface surface{.look = {},
-                  .lighter = shade.light - mean_look(column, row + 2, row + 1 + kSurfaceRows).light};
+  const Look floor = mean_look(column, row + 2, row + 1 + kSurfaceRows);
+  if (!is_shade_of(floor, shade)) return obstacle;
+  Surface surface{.look = {}, .lighter = shade.light - floor.light};
   surface.look.start(shade);
   int end = end_of_surface(column, settled, top, surface);
   for (int joints = 0; end >= top && joints < kMostJoints; ++joints) {
@@ -147,7 +166,12 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) const 
   const int beyond = end_of_ramp(column, end, top);
   const Look next = mean_look(column, beyond - kSurfaceRows + 1, beyond);
   if (is_floor(next)) return {true, beyond};
-  if (!is_shade_of_floor(next)) return {false, end};
+  // No shade is lighter than the floor, but a skirting board is; a deeper band is lit floor beyond the shade.
+  const double as_obstacle_m = scale_.height_m * (1 - scale_.depth_m[static_cast<std::size_t>(row)] /
+                                                          scale_.depth_m[static_cast<std::size_t>(end)]);
+  if (surface.lighter > 0 && as_obstacle_m < kSkirting_m) return obstacle;
+  if (!is_as_rough_as_floor(column, settled, end + 1)) return obstacle;
+  if (!is_shade_of(floor, next)) return {false, end};
   surface.look.start(next);
   surface.lighter = next.light - floor_.look().light;
   const bool tall = end_of_surface(column, beyond, top, surface) < top;
@@ -157,7 +181,8 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) const 
 ColumnScan::Verdict ColumnScan::judge(int column, int row, int top) {
   if (settings_.lines_are_obstacles) {
     const int settled = end_of_ramp(column, row, top);
-    const bool shade = is_shade_of_floor(mean_look(column, settled - kSurfaceRows + 1, settled));
+    const Look floor = mean_look(column, row + 2, row + 1 + kSurfaceRows);
+    const bool shade = is_shade_of(floor, mean_look(column, settled - kSurfaceRows + 1, settled));
     return shade ? judge_shade(column, row, top) : Verdict{false, row};
   }
   const int back = end_of_joint(column, row, top, nullptr);

@@ -69,7 +69,8 @@ class ColumnScan {
   bool is_on(const LookFollower& surface, int lighter, const Look& look) const {
     return surface.oddness(look, tolerance_) == 0 || is_known({look.light - lighter, look.red, look.blue});
   }
-  bool is_shade_of_floor(const Look& look) const;
+  bool is_shade_of(const Look& floor, const Look& look) const;
+  bool is_as_rough_as_floor(int column, int from, int to) const;
   Look mean_look(int column, int from, int to) const;
   Verdict judge(int column, int row, int top);
   struct Surface {
@@ -93,6 +94,7 @@ class ColumnScan {
   const FloorLooks& looks_;
   const RowScale& scale_;
   ScanSettings settings_;
+  FloorTexture texture_;
   Tolerance tolerance_;
   LookFollower floor_;
   int home_light_ = 0;

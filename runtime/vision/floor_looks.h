@@ -1,18 +1,17 @@
 #pragma once
 #include <algorithm>
-#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "vision/picture_grid.h"
 
 namespace mirada::vision {
 
 /// The looks that the floor has been seen to have: a soft three-dimensional histogram with forgetting.
-/// Several looks live side by side (tiles, planks, a floor in sun and in shade). 32 kB, no allocation.
+/// Several looks live side by side (tiles, planks, a floor in sun and in shade). 256 kB, allocated once.
 class FloorLooks {
  public:
   void clear();
-  bool empty() const { return empty_; }
   /// Adds one sighting of the floor; neighbouring looks get a share.
   void add(const Look& look, int weight);
   /// Halves what is remembered; looks that are not seen again fade.
@@ -20,11 +19,13 @@ class FloorLooks {
   bool knows(const Look& look) const { return cells_[cell(look)] >= kKnown; }
 
  private:
-  static constexpr int kSide = 32;
-  static constexpr int kKnown = 24;
+  static constexpr int kSide = 64;
+  static constexpr int kKnown = 20;
 
-  static int light_bin(int light) { return std::clamp(light >> 3, 0, kSide - 1); }
-  static int colour_bin(int ratio) { return std::clamp((ratio - 128 + 64) >> 2, 0, kSide - 1); }
+  static int light_bin(int light) { return std::clamp(light >> 2, 0, kSide - 1); }
+  /// Ratios repeat after 128 units (a factor of 7): two so different looks in one picture's floor do not
+  /// matter.
+  static int colour_bin(int ratio) { return (ratio >> 1) & (kSide - 1); }
   static std::size_t cell(int light, int red, int blue) {
     return (static_cast<std::size_t>(light) * kSide + static_cast<std::size_t>(red)) * kSide +
            static_cast<std::size_t>(blue);
@@ -33,8 +34,7 @@ class FloorLooks {
     return cell(light_bin(look.light), colour_bin(look.red), colour_bin(look.blue));
   }
 
-  std::array<std::uint8_t, kSide * kSide * kSide> cells_{};
-  bool empty_ = true;
+  std::vector<std::uint8_t> cells_ = std::vector<std::uint8_t>(kSide * kSide * kSide);
 };
 
 }  // namespace mirada::vision

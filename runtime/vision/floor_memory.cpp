@@ -19,6 +19,28 @@ bool moved(const Pose2& a, const Pose2& b, double by_m, double by_rad) {
          std::abs(wrap_rad(a.heading_rad - b.heading_rad)) > by_rad;
 }
 
+/// A gap of one or two columns between nearer things is no way through; it is more often a column that was
+/// misjudged.
+void close_gaps(std::vector<ColumnResult>& results) {
+  const auto nearer = [](const ColumnResult& a, const ColumnResult& b) {
+    constexpr double kJump_rows = 5;
+    const bool ends = a.end == ColumnResult::End::boundary || a.end == ColumnResult::End::not_floor_below;
+    return ends && a.row > b.row + kJump_rows;
+  };
+  for (const std::size_t gap : {1u, 2u}) {
+    for (std::size_t i = 1; i + gap < results.size(); ++i) {
+      const ColumnResult& left = results[i - 1];
+      const ColumnResult& right = results[i + gap];
+      bool is_gap = true;
+      for (std::size_t k = i; k < i + gap; ++k)
+        is_gap = is_gap && nearer(left, results[k]) && nearer(right, results[k]);
+      if (!is_gap) continue;
+      const ColumnResult kept = left.row < right.row ? left : right;
+      for (std::size_t k = i; k < i + gap; ++k) results[k] = kept;
+    }
+  }
+}
+
 /// A picture whose floor goes on above the horizon, or that shows hardly any floor, teaches nothing.
 bool plausible(const std::vector<ColumnResult>& results) {
   using End = ColumnResult::End;
@@ -68,6 +90,7 @@ void FloorMemory::scan_columns(const PictureGrid& grid, const std::vector<Column
   for (int column = middle - 1; column >= 0; --column) start = run(column, start);
   start = foot;
   for (int column = middle + 1; column < grid.columns(); ++column) start = run(column, start);
+  close_gaps(results);
 }
 
 bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,

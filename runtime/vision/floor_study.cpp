@@ -58,19 +58,25 @@ void FloorStudy::sample(const PictureGrid& grid, const std::vector<ColumnSpan>& 
   }
 }
 
+bool FloorStudy::counts(int group) const {
+  return group != kNoGroup && groups_[static_cast<std::size_t>(group)].size * 25 >= sample_count_;
+}
+
+/// Which groups begin columns, and which stand between two parts of one other group. Rare looks are looked
+/// through.
 void FloorStudy::look_along_columns() {
   for (int i = 0; i < kColumns; ++i) {
     const Sample* column = &samples_[static_cast<std::size_t>(i * kRows)];
-    const int height = heights_[static_cast<std::size_t>(i)];
-    if (height == 0) continue;
-    if (column[0].group != kNoGroup) ++groups_[static_cast<std::size_t>(column[0].group)].foot_columns;
     std::array<bool, kGroups> inner{};
-    int begin = 0;
-    for (int j = 1; j < height; ++j) {
-      if (column[j].group == column[begin].group) continue;
-      if (begin > 0 && column[begin].group != kNoGroup)
-        inner[static_cast<std::size_t>(column[begin].group)] = true;
-      begin = j;
+    int before = kNoGroup;
+    int now = kNoGroup;
+    for (int j = 0; j < heights_[static_cast<std::size_t>(i)]; ++j) {
+      const int group = column[j].group;
+      if (!counts(group) || group == now) continue;
+      if (now == kNoGroup) ++groups_[static_cast<std::size_t>(group)].foot_columns;
+      if (now != kNoGroup && group == before) inner[static_cast<std::size_t>(now)] = true;
+      before = now;
+      now = group;
     }
     for (std::size_t g = 0; g < kGroups; ++g) groups_[g].inner_columns += inner[g];
   }
@@ -83,7 +89,8 @@ void FloorStudy::look_along_rows() {
     for (int i = 0; i < kColumns; ++i) {
       if (j >= heights_[static_cast<std::size_t>(i)]) continue;
       const int group = samples_[static_cast<std::size_t>(i * kRows + j)].group;
-      if (group != before && group != kNoGroup) ++parts[static_cast<std::size_t>(group)];
+      if (!counts(group)) continue;
+      if (group != before) ++parts[static_cast<std::size_t>(group)];
       before = group;
     }
     for (std::size_t g = 0; g < kGroups; ++g) groups_[g].parted_rows += parts[g] > 1;
@@ -95,7 +102,7 @@ bool FloorStudy::choose_floor() {
   Group* main = nullptr;
   for (int i = 0; i < group_count_; ++i) {
     Group& group = groups_[static_cast<std::size_t>(i)];
-    if (group.size * 25 < sample_count_) continue;
+    if (!counts(i)) continue;
     grouped += group.size;
     group.floor = group.inner_columns >= kColumns / 8 || group.parted_rows >= kRows / 4;
     if (group.foot_columns >= kColumns / 4 && (!main || group.size > main->size)) main = &group;

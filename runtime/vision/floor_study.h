@@ -36,7 +36,7 @@ class FloorStudy {
     int light_sum = 0, red_sum = 0, blue_sum = 0;
     int size = 0;
     int foot_columns = 0;   ///< columns that it begins
-    int inner_columns = 0;  ///< columns where something else lies both below and above it
+    int inner_columns = 0;  ///< columns where it lies between two parts of another
     int parted_rows = 0;    ///< rows where something else lies between two parts of it
     bool floor = false;
   };
@@ -47,6 +47,7 @@ class FloorStudy {
 
   void sample(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, int bottom, int top);
   int group_of(const Look& look);
+  bool counts(int group) const;
   void look_along_columns();
   void look_along_rows();
   bool choose_floor();
