@@ -67,7 +67,7 @@ function ParamRow({ param, change }: { param: Param; change: (param: Param | nul
 
 function Preview({ procedure }: { procedure: Procedure }) {
   return (
-    <div class={`my-block-preview ${procedure.returns ? 'round' : ''}`}>
+    <div class={`my-block-preview ${procedure.returns ? 'gives-value' : ''}`}>
       <span>{procedure.name || '…'}</span>
       {procedure.params.map((param) => (
         <span key={param.id} class={`preview-slot ${param.type}`}>
@@ -179,7 +179,7 @@ function otherNames(workspace: Blockly.Workspace, but?: string): string[] {
   return all.filter((procedure) => procedure.id !== but).map((procedure) => procedure.name);
 }
 
-/** Makes a new block: asks, then puts its definition in the middle of the canvas. */
+/** Makes a new block: asks, then puts its definition below all scripts. */
 export function makeProcedure(workspace: Blockly.WorkspaceSvg): void {
   const start: Procedure = {
     id: newId(),
@@ -189,9 +189,10 @@ export function makeProcedure(workspace: Blockly.WorkspaceSvg): void {
     warp: false,
   };
   const place = (procedure: Procedure) => {
-    const view = workspace.getMetricsManager().getViewMetrics(true);
-    const state = { type: definitionType, extraState: procedure, x: view.left + 60, y: view.top + 60 };
-    Blockly.serialization.blocks.append(state, workspace, { recordUndo: true });
+    const there = workspace.getBlocksBoundingBox();
+    const state = { type: definitionType, extraState: procedure, x: there.left, y: there.bottom + 48 };
+    const block = Blockly.serialization.blocks.append(state, workspace, { recordUndo: true });
+    workspace.centerOnBlock(block.id, true);
     workspace.refreshToolboxSelection();
   };
   openDialog.value = (

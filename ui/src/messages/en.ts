@@ -38,7 +38,7 @@ export const en = {
   ok: 'OK',
   delete: 'Delete',
   sees: 'What it sees',
-  room_above: 'Room from above',
+  room_above: 'The room',
   values: 'Values',
   log: 'Log',
   fold_stage: 'Hide the robot’s side',

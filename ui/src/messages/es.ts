@@ -39,7 +39,7 @@ export const es: Record<MessageKey, string> = {
   ok: 'Aceptar',
   delete: 'Borrar',
   sees: 'Lo que ve',
-  room_above: 'Sala desde arriba',
+  room_above: 'La sala',
   values: 'Valores',
   log: 'Registro',
   fold_stage: 'Ocultar el lado del robot',

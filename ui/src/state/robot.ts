@@ -170,10 +170,10 @@ function refused(to: string, list: Fault[]): void {
   }
   starting.value = false;
   startFaults.value = list;
-  const onBlocks = list.filter((fault) => fault.severity === 'error' && fault.place);
-  const n = onBlocks.length;
-  if (n === 1 && list.length === 1) noteKey('error', 'refused_one');
-  else if (n > 1) noteKey('error', 'refused_many', { n });
+  const errors = list.filter((fault) => fault.severity === 'error');
+  const n = new Set(errors.map((fault) => fault.place)).size;
+  const onBlocks = errors.length > 0 && errors.every((fault) => fault.place !== '');
+  if (onBlocks) noteKey('error', n === 1 ? 'refused_one' : 'refused_many', { n });
   else for (const fault of list) noteWords(fault.severity, fault.message);
 }
 
