@@ -2,13 +2,23 @@
 
 #include "commands.h"
 
+namespace {
+constexpr int kBadInput = 2;
+}
+
 int main(int argc, char** argv) {
   CLI::App app{"Mirada: blocks that see. Each subcommand has its own --help."};
   app.require_subcommand(1);
   mirada::Commands commands{app};
   mirada::add_run(commands);
+  mirada::add_serve(commands);
   mirada::add_see(commands);
   mirada::add_calibrate(commands);
-  CLI11_PARSE(app, argc, argv);
+  mirada::add_mount(commands);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& wrong) {
+    return app.exit(wrong) == 0 ? 0 : kBadInput;
+  }
   return commands.exit_code;
 }
