@@ -13,6 +13,5 @@ void add_run(Commands& commands);
 void add_serve(Commands& commands);
 void add_see(Commands& commands);
 void add_calibrate(Commands& commands);
-void add_mount(Commands& commands);
 
 }  // namespace mirada
