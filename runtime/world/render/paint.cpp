@@ -8,7 +8,7 @@
 namespace mirada::world::paint {
 namespace {
 
-constexpr int kPatch_px = 1024;  // larger noise repeats mirrored
+constexpr int kPatch_px = 1024;
 
 cv::Mat random_grid(int cols, int rows, Random& random) {
   cv::Mat out(rows, cols, CV_32F);
@@ -53,11 +53,7 @@ cv::Mat grain_noise(cv::Size size, double cell_px, double stretch, int octaves, 
     cell_px /= 2;
   }
   if (total > 0) sum *= 1.6 / total;
-  if (patch == size) return sum;
-  cv::Mat out;
-  cv::copyMakeBorder(sum, out, 0, size.height - patch.height, 0, size.width - patch.width,
-                     cv::BORDER_REFLECT);
-  return out;
+  return sum;
 }
 
 cv::Mat soft_noise(cv::Size size, double cell_px, int octaves, Random& random) {
@@ -87,16 +83,22 @@ Colour mix(Colour a, Colour b, double share) {
 }
 
 void modulate(cv::Mat& bgr8, const cv::Mat& noise, double amount) {
-  CV_Assert(noise.size() == bgr8.size() && noise.type() == CV_32F);
+  CV_Assert(noise.type() == CV_32F);
+  const auto mirrored = [](int at, int size) {
+    const int turn = at % (2 * size);
+    return turn < size ? turn : 2 * size - 1 - turn;
+  };
   const auto strength = static_cast<float>(amount);
+  std::vector<float> share(static_cast<std::size_t>(bgr8.cols));
   for (int y = 0; y < bgr8.rows; ++y) {
+    const float* n = noise.ptr<float>(mirrored(y, noise.rows));
+    for (int x = 0; x < bgr8.cols; ++x)
+      share[static_cast<std::size_t>(x)] = 1 + strength * n[mirrored(x, noise.cols)];
     std::uint8_t* pixel = bgr8.ptr<std::uint8_t>(y);
-    const float* n = noise.ptr<float>(y);
     for (int x = 0; x < bgr8.cols; ++x, pixel += 3) {
-      const float share = 1 + strength * n[x];
       for (int c = 0; c < 3; ++c) {
-        pixel[c] =
-            static_cast<std::uint8_t>(std::clamp(static_cast<float>(pixel[c]) * share + 0.5F, 0.0F, 255.0F));
+        const float value = static_cast<float>(pixel[c]) * share[static_cast<std::size_t>(x)] + 0.5F;
+        pixel[c] = static_cast<std::uint8_t>(std::clamp(value, 0.0F, 255.0F));
       }
     }
   }

@@ -9,7 +9,7 @@
 namespace mirada::world::paint {
 
 /// Soft noise: `octaves` layers, each twice as fine and half as strong, the first with cells of cell_px.
-/// CV_32F, roughly -1..1, mean 0.
+/// CV_32F, roughly -1..1, mean 0. Fine noise may come smaller than asked for: modulate() repeats it mirrored.
 cv::Mat soft_noise(cv::Size size, double cell_px, int octaves, Random& random);
 /// The same stretched along x by `stretch`.
 cv::Mat grain_noise(cv::Size size, double cell_px, double stretch, int octaves, Random& random);
@@ -22,7 +22,7 @@ Colour shade(Colour colour, double share);
 /// Part way from a to b.
 Colour mix(Colour a, Colour b, double share);
 
-/// Multiplies a picture by 1 + amount * noise.
+/// Multiplies a picture by 1 + amount * noise; noise that is smaller goes on mirrored.
 void modulate(cv::Mat& bgr8, const cv::Mat& noise, double amount);
 /// Multiplies the channels.
 void light(cv::Mat& bgr8, double share, const cv::Vec3f& tint_bgr);

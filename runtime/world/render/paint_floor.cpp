@@ -106,22 +106,34 @@ void fill(cv::Mat& mask, const std::vector<cv::Point2d>& convex) {
   cv::fillConvexPoly(mask, fixed_point(convex, kShift), cv::Scalar(255), cv::LINE_AA, kShift);
 }
 
-/// out = out * (1 - mask * strength) + colour * mask * strength.
-void blend(cv::Mat& out, const cv::Mat& mask, Colour colour, const cv::Mat& wear) {
+/// Puts a colour on where the mask is; `wear` thins it here and there.
+void blend(cv::Mat& out, const cv::Mat& mask, const cv::Rect& region, Colour colour, const cv::Mat& wear) {
   const float c[3] = {float(colour.b), float(colour.g), float(colour.r)};
-  for (int y = 0; y < out.rows; ++y) {
+  for (int y = region.y; y < region.br().y; ++y) {
     const std::uint8_t* m = mask.ptr<std::uint8_t>(y);
-    const float* w = wear.ptr<float>(y);
-    std::uint8_t* pixel = out.ptr<std::uint8_t>(y);
-    for (int x = 0; x < out.cols; ++x, pixel += 3) {
+    const float* w = wear.ptr<float>(y % wear.rows);
+    std::uint8_t* pixel = out.ptr<std::uint8_t>(y) + static_cast<std::ptrdiff_t>(3) * region.x;
+    for (int x = region.x; x < region.br().x; ++x, pixel += 3) {
       if (m[x] == 0) continue;
-      const float share = static_cast<float>(m[x]) / 255 * std::clamp(0.93F + 0.10F * w[x], 0.0F, 1.0F);
+      const float share =
+          static_cast<float>(m[x]) / 255 * std::clamp(0.93F + 0.10F * w[x % wear.cols], 0.0F, 1.0F);
       for (int k = 0; k < 3; ++k) {
         const auto under = static_cast<float>(pixel[k]);
         pixel[k] = static_cast<std::uint8_t>(under + (c[k] - under) * share + 0.5F);
       }
     }
   }
+}
+
+/// Where a line may have put paint.
+cv::Rect region_of(const LineConfig& line, const FloorFrame& frame, cv::Size size) {
+  std::vector<cv::Point2f> points;
+  for (const Eigen::Vector2d& p : line.points_m) points.emplace_back(frame.at(p));
+  const cv::Rect bounds = cv::boundingRect(points);
+  const int margin = cvCeil(line.width_m * frame.px_per_m) + 2;
+  const cv::Rect grown(bounds.x - margin, bounds.y - margin, bounds.width + 2 * margin,
+                       bounds.height + 2 * margin);
+  return grown & cv::Rect({}, size);
 }
 
 void line_mask(cv::Mat& mask, const FloorFrame& frame, const LineConfig& line) {
@@ -186,11 +198,14 @@ cv::Mat floor_pattern(const FloorConfig& floor, cv::Size size, double px_per_m, 
 void paint_lines(cv::Mat& floor, const FloorFrame& frame, const std::vector<LineConfig>& lines,
                  Random& random) {
   if (lines.empty()) return;
-  const cv::Mat wear = soft_noise(floor.size(), 0.05 * frame.px_per_m, 3, random);
+  const cv::Mat wear = soft_noise({512, 512}, 0.05 * frame.px_per_m, 3, random);
+  cv::Mat mask = cv::Mat::zeros(floor.size(), CV_8U);
   for (const LineConfig& line : lines) {
-    cv::Mat mask = cv::Mat::zeros(floor.size(), CV_8U);
+    const cv::Rect region = region_of(line, frame, floor.size());
+    if (region.empty()) continue;
     line_mask(mask, frame, line);
-    blend(floor, mask, line.colour, wear);
+    blend(floor, mask, region, line.colour, wear);
+    mask(region).setTo(0);
   }
 }
 

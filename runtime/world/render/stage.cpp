@@ -15,8 +15,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3f;
 
-constexpr double kFloorMargin_m = 0.05;     // floor under the walls' feet
-constexpr double kMostFloorTexels = 4.5e6;  // one room's floor, level 0
+constexpr double kFloorMargin_m = 0.2;    // floor beyond the bounds, for filtering at their edge
+constexpr double kMostFloorTexels = 4e6;  // one room's floor, level 0
 constexpr double kFinestFloor_per_m = 500;
 
 double texels_per_m(double length_m, double wanted_per_m, double most_px) {

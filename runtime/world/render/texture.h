@@ -31,7 +31,8 @@ class Texture {
   explicit Texture(const cv::Mat& bgr8);
 
   struct Level {
-    std::vector<std::uint32_t> texels;  ///< BGRA in memory, rows of stride, last row and column doubled
+    cv::Mat memory;                         ///< CV_8UC4; last row and column doubled
+    const std::uint32_t* texels = nullptr;  ///< BGRA in memory, rows of stride
     int stride = 0;
     float scale_x = 16, scale_y = 16;  ///< from texels of level 0 to sixteenths of this level's
     float most_x = 0, most_y = 0;      ///< largest coordinate, in sixteenths of a texel
@@ -78,7 +79,7 @@ class Texture {
   /// then the columns.
   static Lanes at_sixteenths(const Level& level, int xi, int yi) {
     constexpr Lanes kEven = 0x00FF00FF00FF00FFULL;
-    const std::uint32_t* above = level.texels.data() + (yi >> 4) * level.stride + (xi >> 4);
+    const std::uint32_t* above = level.texels + (yi >> 4) * level.stride + (xi >> 4);
     Lanes a, b;
     std::memcpy(&a, above, sizeof a);
     std::memcpy(&b, above + level.stride, sizeof b);
