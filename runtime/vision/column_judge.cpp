@@ -13,27 +13,27 @@ constexpr int kAlarm = 6;
 constexpr int kFloorIsBack = 5;  // rows of floor after an interruption
 constexpr double kWidestLine_m = 0.12;
 constexpr double kLowestObstacle_m = 0.035;
-constexpr int kFirstLineRows = 5;  // show how wide a line is
-constexpr int kLineRows = 10;      // a line running away from the robot is at least so long
-constexpr int kDeepestShade = 85;  // Look units of light: a factor of 3.6
-constexpr int kLongestRamp = 18;   // rows of a shadow's soft rim
+constexpr int kFirstLineRows = 5;    // show how wide a line is
+constexpr int kLineRows = 10;        // a line running away from the robot is at least so long
+constexpr double kDeepestShade = 3;  // the factor of a channel, as encoded
+constexpr int kLongestRamp = 18;     // rows of a shadow's soft rim
 constexpr int kSurfaceRows = 8;
 constexpr double kRough = 4;            // Look units: a floor with a pattern
 constexpr double kPatternSeen_m = 1.0;  // farther away patterns blur
-constexpr int kSameColour = 3;          // Look units, of means
+constexpr double kSameColour = 0.05;    // by which the channels' factors may differ
+constexpr double kColourNoise = 1.5;    // of 255, of a mean
 constexpr double kSkirting_m = 0.13;
 constexpr int kMostJoints = 8;  // crossed on one shaded surface
 
 }  // namespace
 
-/// The same colour in another light. Where it is dark, colours come nearer to grey.
-bool ColumnScan::is_shade_of(const Look& floor, const Look& look) const {
-  const double paling = std::clamp((floor.light - look.light) / 100.0, 0.0, 1.0);
-  const auto fits = [&](int here, int there) {
-    return std::abs(here - there) <= kSameColour + 0.35 * paling * std::abs(there - 128);
-  };
-  return fits(look.red, floor.red) && fits(look.blue, floor.blue) &&
-         std::abs(look.light - floor.light) <= kDeepestShade;
+/// The same colour in another light: all three channels have changed by the same factor.
+bool ColumnScan::is_shade_of(const Eigen::Vector3d& floor_bgr, const Eigen::Vector3d& bgr) const {
+  const Eigen::Array3d factor = bgr.array().max(1) / floor_bgr.array().max(1);
+  const double slack =
+      kSameColour + kColourNoise / std::max(1.0, std::min(bgr.minCoeff(), floor_bgr.minCoeff()));
+  return factor.maxCoeff() <= factor.minCoeff() * (1 + slack) && factor.maxCoeff() < kDeepestShade &&
+         factor.minCoeff() > 1 / kDeepestShade;
 }
 
 /// Shade keeps the floor's pattern; a board or a box in the floor's colour is smooth on a rough floor.
@@ -151,8 +151,11 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) const 
   const int settled = end_of_ramp(column, row, top);
   if (settled - kSurfaceRows < top) return obstacle;
   const Look shade = mean_look(column, settled - kSurfaceRows + 1, settled);
-  const Look floor = mean_look(column, row + 2, row + 1 + kSurfaceRows);
-  if (!is_shade_of(floor, shade)) return obstacle;
+  const int foot = std::min(row + 1 + kSurfaceRows, grid_.rows() - 1);
+  const Look floor = foot > row + 3 ? mean_look(column, row + 2, foot) : floor_.look();
+  const Eigen::Vector3d floor_bgr =
+      foot > row + 3 ? mean_colour(column, row + 2, foot) : grid_.colour_of(floor);
+  if (!is_shade_of(floor_bgr, mean_colour(column, settled - kSurfaceRows + 1, settled))) return obstacle;
   Surface surface{.look = {}, .lighter = shade.light - floor.light};
   surface.look.start(shade);
   int end = end_of_surface(column, settled, top, surface);
@@ -171,7 +174,7 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) const 
                                                           scale_.depth_m[static_cast<std::size_t>(end)]);
   if (surface.lighter > 0 && as_obstacle_m < kSkirting_m) return obstacle;
   if (!is_as_rough_as_floor(column, settled, end + 1)) return obstacle;
-  if (!is_shade_of(floor, next)) return {false, end};
+  if (!is_shade_of(floor_bgr, mean_colour(column, beyond - kSurfaceRows + 1, beyond))) return {false, end};
   surface.look.start(next);
   surface.lighter = next.light - floor_.look().light;
   const bool tall = end_of_surface(column, beyond, top, surface) < top;
@@ -179,12 +182,7 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) const 
 }
 
 ColumnScan::Verdict ColumnScan::judge(int column, int row, int top) {
-  if (settings_.lines_are_obstacles) {
-    const int settled = end_of_ramp(column, row, top);
-    const Look floor = mean_look(column, row + 2, row + 1 + kSurfaceRows);
-    const bool shade = is_shade_of(floor, mean_look(column, settled - kSurfaceRows + 1, settled));
-    return shade ? judge_shade(column, row, top) : Verdict{false, row};
-  }
+  if (settings_.lines_are_obstacles) return judge_shade(column, row, top);
   const int back = end_of_joint(column, row, top, nullptr);
   if (back >= 0) return {true, back};
   const Verdict shade = judge_shade(column, row, top);

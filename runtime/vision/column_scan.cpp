@@ -31,6 +31,16 @@ Look ColumnScan::mean_look(int column, int from, int to) const {
   return {sum.light / n, sum.red / n, sum.blue / n};
 }
 
+Eigen::Vector3d ColumnScan::mean_colour(int column, int from, int to) const {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  int n = 0;
+  for (int row = std::max(from, 0); row <= std::min(to, grid_.rows() - 1); ++row, ++n) {
+    const auto bgr = grid_.colour(column, row);
+    sum += Eigen::Vector3d(bgr[0], bgr[1], bgr[2]);
+  }
+  return sum / std::max(n, 1);
+}
+
 ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& start) {
   floor_.start(start);
   foot_ = start;
@@ -102,19 +112,10 @@ ColumnResult ColumnScan::refined(int column, int row, const ColumnSpan& span) co
   if (row >= span.bottom_row - 1)
     return {.end = ColumnResult::End::not_floor_below, .row = span.bottom_row + 0.5};
   constexpr int kReach = 3;
-  const auto mean = [&](int from, int to) {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    int n = 0;
-    for (int r = std::max(from, 0); r <= std::min(to, span.bottom_row); ++r, ++n) {
-      const auto c = grid_.colour(column, r);
-      sum += Eigen::Vector3d(c[0], c[1], c[2]);
-    }
-    return Eigen::Vector3d(sum / std::max(n, 1));
-  };
   const int low = std::min(row + kReach, span.bottom_row);
   const int high = std::max(row - kReach, 0);
-  const Eigen::Vector3d floor = mean(row + 2, row + 7);
-  const Eigen::Vector3d thing = mean(row - 5, row - 2);
+  const Eigen::Vector3d floor = mean_colour(column, row + 2, std::min(row + 7, span.bottom_row));
+  const Eigen::Vector3d thing = mean_colour(column, row - 5, row - 2);
   const Eigen::Vector3d step = thing - floor;
   const double contrast = step.norm();
   if (contrast < 6) return {.end = ColumnResult::End::boundary, .row = row + 0.5, .sigma_row = 2};

@@ -69,7 +69,9 @@ class ColumnScan {
   bool is_on(const LookFollower& surface, int lighter, const Look& look) const {
     return surface.oddness(look, tolerance_) == 0 || is_known({look.light - lighter, look.red, look.blue});
   }
-  bool is_shade_of(const Look& floor, const Look& look) const;
+  bool is_shade_of(const Eigen::Vector3d& floor_bgr, const Eigen::Vector3d& bgr) const;
+  /// Means over rows of a column.
+  Eigen::Vector3d mean_colour(int column, int from, int to) const;
   bool is_as_rough_as_floor(int column, int from, int to) const;
   Look mean_look(int column, int from, int to) const;
   Verdict judge(int column, int row, int top);

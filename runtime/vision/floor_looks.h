@@ -20,7 +20,7 @@ class FloorLooks {
 
  private:
   static constexpr int kSide = 64;
-  static constexpr int kKnown = 20;
+  static constexpr int kKnown = 60;
 
   static int light_bin(int light) { return std::clamp(light >> 2, 0, kSide - 1); }
   /// Ratios repeat after 128 units (a factor of 7): two so different looks in one picture's floor do not

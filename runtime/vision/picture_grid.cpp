@@ -43,6 +43,14 @@ Eigen::Vector3d PictureGrid::ray_C(int column, double row) const {
          share * rays_[index(column, below + 1)].cast<double>();
 }
 
+Eigen::Vector3d PictureGrid::colour_of(const Look& look) const {
+  const double red = look.red - 128;
+  const double blue = look.blue - 128;
+  const double green = look.light - (red + blue) / 4;
+  const auto level = [](double units) { return kDarkLevel * (std::exp2(units / kUnitsADoubling) - 1); };
+  return {level(green + blue), level(green), level(green + red)};
+}
+
 std::uint64_t PictureGrid::fingerprint() const {
   std::uint64_t hash = 1469598103934665603ull;
   for (int row = 1; row < rows_; row += 8) {

@@ -43,6 +43,8 @@ class PictureGrid {
   Look look(int column, int row) const;
   /// Mean B, G, R of the cell, 0..255.
   std::array<int, 3> colour(int column, int row) const;
+  /// The B, G, R that a look stands for, 0..255.
+  Eigen::Vector3d colour_of(const Look& look) const;
   /// Changes when any sampled pixel does: to notice a camera that repeats itself.
   std::uint64_t fingerprint() const;
 
