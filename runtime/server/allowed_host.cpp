@@ -1,7 +1,12 @@
 #include "server/allowed_host.h"
 
 #include <algorithm>
+#include <arpa/inet.h>
+#include <memory>
 #include <unistd.h>
+
+#include <ifaddrs.h>
+#include <net/if.h>
 
 namespace mirada::server {
 namespace {
@@ -75,6 +80,21 @@ std::string machine_name() {
   char name[256] = {};
   if (::gethostname(name, sizeof name - 1) != 0) return "";
   return lower(name);
+}
+
+std::string reachable_address() {
+  ifaddrs* found = nullptr;
+  if (::getifaddrs(&found) != 0) found = nullptr;
+  const std::unique_ptr<ifaddrs, decltype(&::freeifaddrs)> all(found, &::freeifaddrs);
+  for (const ifaddrs* at = found; at; at = at->ifa_next) {
+    const bool usable = at->ifa_addr && at->ifa_addr->sa_family == AF_INET && (at->ifa_flags & IFF_UP) != 0 &&
+                        (at->ifa_flags & IFF_LOOPBACK) == 0;
+    if (!usable) continue;
+    char text[INET_ADDRSTRLEN] = {};
+    const auto* address = reinterpret_cast<const sockaddr_in*>(at->ifa_addr);
+    if (::inet_ntop(AF_INET, &address->sin_addr, text, sizeof text)) return text;
+  }
+  return machine_name() + ".local";
 }
 
 }  // namespace mirada::server

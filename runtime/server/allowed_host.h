@@ -16,4 +16,9 @@ bool origin_allowed(std::string_view origin, std::string_view host);
 /// The name of this machine, lower case.
 std::string machine_name();
 
+/// An address of this machine that others on its network can reach: the first IPv4 one that is not loopback,
+/// else
+/// `<name>.local`.
+std::string reachable_address();
+
 }  // namespace mirada::server

@@ -33,9 +33,9 @@ struct Switchboard {
   const Clock& clock;
   RouterData router;
   const packs::PackSet& packs;
-  std::function<void(Job)> check_in_background;
-  std::function<void(Job)> on_io;  ///< from any thread
-  std::function<void()> wake;      ///< the hub has become busy
+  std::function<void(Job)> in_background;  ///< files and checks, on two threads
+  std::function<void(Job)> on_io;          ///< from any thread
+  std::function<void()> wake;              ///< the hub has become busy
   std::size_t open{0};
   std::set<IdleConnection*> idle{};
 };

@@ -23,6 +23,7 @@ using Parser = http::request_parser<http::string_body>;
 using Response = http::response<http::string_body>;
 
 constexpr std::chrono::seconds kHeaderTime{5};
+constexpr std::chrono::seconds kStopOnlyTime{1};
 constexpr std::chrono::seconds kBodyTime{20};
 constexpr std::chrono::seconds kWriteTime{30};
 constexpr std::chrono::seconds kLingerTime{5};
@@ -73,7 +74,7 @@ class HttpConnection : public IdleConnection, public std::enable_shared_from_thi
     parser_.emplace();
     parser_->header_limit(kHeaderBytes);
     parser_->body_limit(boost::none);  // checked by hand, before anything is read
-    stream_.expires_after(kHeaderTime);
+    stream_.expires_after(stop_only_ ? kStopOnlyTime : kHeaderTime);
     http::async_read_header(stream_, buffer_, *parser_,
                             [self = shared_from_this()](beast::error_code error, std::size_t) {
                               self->board_.idle.erase(self.get());
@@ -81,7 +82,10 @@ class HttpConnection : public IdleConnection, public std::enable_shared_from_thi
                             });
   }
 
-  void make_room() override { close(); }
+  void make_room() override {
+    slot_.reset();  // counts at once; the aborted read comes later
+    close();
+  }
 
  private:
   void on_header(beast::error_code error) {
@@ -111,7 +115,7 @@ class HttpConnection : public IdleConnection, public std::enable_shared_from_thi
     board_.hub.stop();
     const bool more = !parser_->is_done();
     HttpReply reply{204, "", "", {{"Cache-Control", "no-store"}}};
-    more || stop_only_ ? last(std::move(reply)) : write(std::move(reply), parser_->get().keep_alive());
+    more || stop_only_ ? last(std::move(reply)) : write(std::move(reply), keep_alive());
   }
 
   void upgrade(const HttpRequest& request) {
@@ -140,20 +144,33 @@ class HttpConnection : public IdleConnection, public std::enable_shared_from_thi
 
   void route(const HttpRequest& request) {
     if (is_check(request)) return check();
-    write(answer(request, board_.router), parser_->get().keep_alive());
+    if (request.target.starts_with("/api/")) return write(answer(request, board_.router), keep_alive());
+    in_background([request](Switchboard& board, const Parser&) { return answer(request, board.router); });
   }
 
   void check() {
-    stream_.expires_never();
-    // The connection is handed on, never shared with the other thread: it must end on this one.
-    board_.check_in_background(
-        [self = shared_from_this(), &board = board_, program = parser_->get().body()]() mutable {
-          board.on_io([self = std::move(self), faults = check_program(program, board.packs)] {
-            self->write({200, "application/json", faults, {{"Cache-Control", "no-store"}}},
-                        self->parser_->get().keep_alive());
-          });
-        });
+    in_background([](Switchboard& board, const Parser& parser) {
+      return HttpReply{200,
+                       "application/json",
+                       check_program(parser.get().body(), board.packs),
+                       {{"Cache-Control", "no-store"}}};
+    });
   }
+
+  /// Makes the reply off the io thread, which must be free for Stop: files and programs take their time. The
+  /// connection is handed on, never shared with the other thread: it must end on this one.
+  template <class Make>
+  void in_background(Make make) {
+    stream_.expires_never();
+    board_.in_background([self = shared_from_this(), &board = board_, make]() mutable {
+      HttpReply reply = make(board, *self->parser_);
+      board.on_io([self = std::move(self), reply = std::move(reply)]() mutable {
+        self->write(std::move(reply), self->keep_alive());
+      });
+    });
+  }
+
+  bool keep_alive() const { return parser_->get().keep_alive(); }
 
   /// The last answer on this connection.
   void last(HttpReply reply) { write(std::move(reply), false); }

@@ -55,10 +55,12 @@ void Hub::heard(ViewerId id) {
   if (const Viewer* viewer = find(id)) lease_.heard(viewer->client, wiring_.clock.now());
 }
 
-void Hub::stop() {
+bool Hub::stop() {
   stops_.fetch_add(1);
   wiring_.station.stop(session::StopReason::stop_button);
+  if (!stop_news_.take(wiring_.clock.now())) return false;
   broadcast(stopped_text());
+  return true;
 }
 
 void Hub::tick() {

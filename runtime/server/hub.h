@@ -61,8 +61,9 @@ class Hub {
   void heard(ViewerId id);
   void receive(ViewerId id, std::string_view text);
 
-  /// Anyone's Stop: the motors are at zero when this returns, and what was about to start does not.
-  void stop();
+  /// Anyone's Stop: the motors are at zero when this returns, and what was about to start does not. Everybody
+  /// is told, but by a flood of Stops not more than 20 times a second: false when they were not.
+  bool stop();
   /// To be called every few milliseconds while busy(): passes telemetry and pictures on, ends a silent
   /// owner's lease.
   void tick();
@@ -109,6 +110,7 @@ class Hub {
   OwnerLease lease_;
   TryLimit wrong_codes_;
   std::atomic<std::uint64_t> stops_{0};  ///< counts the Stops: a start that began before one is void
+  TokenBucket stop_news_{20, 20};
   std::size_t jobs_ = 0;
   session::Wanted wanted_;
 

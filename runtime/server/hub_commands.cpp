@@ -21,8 +21,8 @@ void Hub::receive(ViewerId id, std::string_view text) {
   heard(id);
   const ReadMessage read = read_client_message(text);
   if (read.faults.empty() && read.message.verb == ClientVerb::stop) {
-    stop();
-    if (!viewer->greeted()) viewer->link->send_control(stopped_text());
+    const bool told = stop() && viewer->greeted();
+    if (!told) viewer->link->send_control(stopped_text());
     return;
   }
   if (!within_rate(*viewer, read)) return;

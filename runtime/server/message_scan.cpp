@@ -3,6 +3,8 @@
 namespace mirada::server {
 namespace {
 
+constexpr std::string_view kSpace = " \t\r\n";
+
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : text_(text) {}
@@ -35,7 +37,8 @@ class Scanner {
     skip_space();
     const std::size_t value_begin = at_;
     if (!value()) return false;
-    out.members[key] = text_.substr(value_begin, at_ - value_begin);
+    const std::string_view with_space = text_.substr(value_begin, at_ - value_begin);
+    out.members[key] = with_space.substr(0, with_space.find_last_not_of(kSpace) + 1);
     return true;
   }
 
@@ -78,8 +81,7 @@ class Scanner {
   }
 
   void skip_space() {
-    while (at_ < text_.size() && std::string_view(" \t\r\n").find(text_[at_]) != std::string_view::npos)
-      ++at_;
+    while (at_ < text_.size() && kSpace.find(text_[at_]) != std::string_view::npos) ++at_;
   }
 
   std::string_view text_;

@@ -55,7 +55,7 @@ struct Server::Impl {
               {station, StaticFiles(options.ui_folder), packs_json(packs), examples_json(examples),
                options.lang, machine_name()},
               packs,
-              on(check_jobs),
+              on(page_jobs),
               to_io(),
               [this] { wake(); }},
         acceptor(io),
@@ -67,9 +67,9 @@ struct Server::Impl {
     io.stop();
     if (thread.joinable()) thread.join();
     station_jobs.stop();
-    check_jobs.stop();
+    page_jobs.stop();
     station_jobs.join();
-    check_jobs.join();
+    page_jobs.join();
     hub.clear();
   }
 
@@ -142,7 +142,7 @@ struct Server::Impl {
 
   // Connections that wait in `io` refer to `board`, so `io` goes first.
   asio::thread_pool station_jobs{1};
-  asio::thread_pool check_jobs{1};
+  asio::thread_pool page_jobs{2};
   std::shared_ptr<Mailbox> mailbox{std::make_shared<Mailbox>(io)};
   Hub hub;
   Switchboard board;
@@ -177,7 +177,7 @@ std::string Server::url() const {
   const asio::ip::address address = endpoint.address();
   std::string host = address.to_string();
   if (address.is_v6()) host = fmt::format("[{}]", host);
-  if (address.is_unspecified()) host = fmt::format("{}.local", impl_->board.router.machine_name);
+  if (address.is_unspecified()) host = reachable_address();
   return fmt::format("http://{}:{}/", host, endpoint.port());
 }
 

@@ -89,7 +89,8 @@ std::optional<StaticFile> StaticFiles::find(std::string_view target, bool gzip_a
   }
   Result<std::string> bytes = read_file(file, kMaxFileBytes);
   if (!bytes.ok()) return std::nullopt;
-  const auto written = fs::last_write_time(file, error).time_since_epoch().count();
+  const auto written =
+      static_cast<std::uint64_t>(fs::last_write_time(file, error).time_since_epoch().count());
   out.bytes = std::move(bytes).value();
   out.type = type_of(path);
   out.etag = fmt::format("\"{:x}-{:x}{}\"", written, out.bytes.size(), out.gzip ? "-gz" : "");

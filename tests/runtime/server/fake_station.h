@@ -1,0 +1,127 @@
+#pragma once
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/messages.h"
+#include "session/station.h"
+
+namespace mirada::server {
+
+/// A station that writes down what is asked of it and publishes what a test gives it. Thread-safe.
+class FakeStation final : public session::Station {
+ public:
+  Result<session::Started> start(const std::string& program_json) override {
+    log("start " + program_json);
+    if (on_start) on_start();
+    if (program_json == "\"bad\"") return make_fault("block-1", messages::field_missing, {{"field", "x"}});
+    const std::lock_guard lock(mutex_);
+    publish_locked([](session::Telemetry& t) {
+      ++t.run;
+      t.state = session::RunState::running;
+      t.stop_reason = session::StopReason::none;
+    });
+    return session::Started{telemetry_->run, {}};
+  }
+  void stop(session::StopReason why) override {
+    stops.fetch_add(1);
+    log(std::string("stop ") + session::to_string(why));
+    const std::lock_guard lock(mutex_);
+    publish_locked([&](session::Telemetry& t) {
+      t.state = session::RunState::idle;
+      t.stop_reason = why;
+    });
+  }
+  void pause(bool on) override { log(on ? "pause on" : "pause off"); }
+  void key(const std::string& name, bool down) override { log("key " + name + (down ? " down" : " up")); }
+  void evaluate(const std::string& program_json, const std::string& block_id,
+                std::function<void(Result<vm::MonitorValue>)> answer) override {
+    log("evaluate " + block_id + " of " + program_json);
+    const std::lock_guard lock(mutex_);
+    answers.push_back(std::move(answer));
+  }
+  session::Setup setup() const override {
+    const std::lock_guard lock(mutex_);
+    return setup_;
+  }
+  std::vector<session::Option> worlds() const override { return {{"room1", "Room 1", "Sala 1"}}; }
+  std::vector<session::Option> robots() const override { return {{"bot", "Bot", "Robot"}}; }
+  Status choose(const session::Setup& setup) override {
+    log("choose " + setup.world + " " + setup.robot + " " + std::to_string(setup.seed));
+    if (setup.world == "nowhere") return make_fault("--world", messages::file_missing, {{"file", "nowhere"}});
+    const std::lock_guard lock(mutex_);
+    setup_ = setup;
+    return Ok{};
+  }
+  Status put_back() override {
+    log("put_back");
+    return Ok{};
+  }
+  void want(const session::Wanted& wanted) override {
+    log(std::string("want") + (wanted.camera ? " camera" : "") + (wanted.sonar ? " sonar" : "") +
+        (wanted.faces ? " faces" : "") + (wanted.room ? " room" : ""));
+  }
+  std::shared_ptr<const session::Telemetry> telemetry() const override {
+    const std::lock_guard lock(mutex_);
+    return telemetry_;
+  }
+  std::shared_ptr<const session::Picture> picture() const override {
+    const std::lock_guard lock(mutex_);
+    return picture_;
+  }
+
+  void publish(const std::function<void(session::Telemetry&)>& change) {
+    const std::lock_guard lock(mutex_);
+    publish_locked(change);
+  }
+  void show(session::Picture picture) {
+    const std::lock_guard lock(mutex_);
+    picture_ = std::make_shared<const session::Picture>(std::move(picture));
+  }
+  std::vector<std::string> calls() const {
+    const std::lock_guard lock(log_mutex_);
+    return log_;
+  }
+  void forget_calls() {
+    const std::lock_guard lock(log_mutex_);
+    log_.clear();
+  }
+  void answer_all(const Result<vm::MonitorValue>& value) {
+    std::vector<std::function<void(Result<vm::MonitorValue>)>> waiting;
+    {
+      const std::lock_guard lock(mutex_);
+      waiting.swap(answers);
+    }
+    for (auto& answer : waiting) answer(value);
+  }
+
+  std::function<void()> on_start;  ///< runs inside start(), as compiling would
+  std::atomic<int> stops{0};
+
+ private:
+  void publish_locked(const std::function<void(session::Telemetry&)>& change) {
+    session::Telemetry next = *telemetry_;
+    change(next);
+    telemetry_ = std::make_shared<const session::Telemetry>(std::move(next));
+  }
+  void log(std::string line) {
+    const std::lock_guard lock(log_mutex_);
+    log_.push_back(std::move(line));
+  }
+
+  mutable std::mutex mutex_;
+  mutable std::mutex log_mutex_;
+  std::vector<std::string> log_;
+  std::vector<std::function<void(Result<vm::MonitorValue>)>> answers;
+  session::Setup setup_{"room1", "bot", 1, true};
+  std::shared_ptr<const session::Telemetry> telemetry_ = std::make_shared<const session::Telemetry>();
+  std::shared_ptr<const session::Picture> picture_;
+};
+
+}  // namespace mirada::server
