@@ -21,6 +21,7 @@ constexpr int kSurfaceRows = 8;
 constexpr double kRough = 4;            // Look units: a floor with a pattern
 constexpr double kPatternSeen_m = 1.0;  // farther away patterns blur
 constexpr double kSameColour = 0.05;    // by which the channels' factors may differ
+constexpr int kSameLight = 14;          // Look units: lit floor before and behind a shadow
 constexpr double kColourNoise = 1.5;    // of 255, of a mean
 constexpr double kSkirting_m = 0.13;
 constexpr int kMostJoints = 8;  // crossed on one shaded surface
@@ -146,7 +147,7 @@ int ColumnScan::end_of_surface(int column, int row, int top, Surface surface) co
 /// The floor's colour in another light. Shade on the floor is one even surface that gives way below the
 /// horizon to lit floor or to a thing of another colour. A thing that happens to have the floor's colour goes
 /// on above the horizon, or shows its top in a third light.
-ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) const {
+ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) {
   const Verdict obstacle{false, row};
   const int settled = end_of_ramp(column, row, top);
   if (settled - kSurfaceRows < top) return obstacle;
@@ -168,13 +169,18 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) const 
   if (end < top) return obstacle;
   const int beyond = end_of_ramp(column, end, top);
   const Look next = mean_look(column, beyond - kSurfaceRows + 1, beyond);
-  if (is_floor(next)) return {true, beyond};
-  // No shade is lighter than the floor, but a skirting board is; a deeper band is lit floor beyond the shade.
+  const Eigen::Vector3d next_bgr = mean_colour(column, beyond - kSurfaceRows + 1, beyond);
+  const bool as_lit = next.light >= floor.light - kSameLight && next.light <= brightest_ + kSameLight;
+  const bool lit_again = as_lit && is_shade_of(floor_bgr, next_bgr);
+  if (lit_again) floor_.start(next);
+  if (lit_again || is_floor(next)) return {true, beyond};
+  // No shade is lighter than the floor has been in this column, but a skirting board is; a deeper band is lit
+  // floor beyond the shade.
   const double as_obstacle_m = scale_.height_m * (1 - scale_.depth_m[static_cast<std::size_t>(row)] /
                                                           scale_.depth_m[static_cast<std::size_t>(end)]);
-  if (surface.lighter > 0 && as_obstacle_m < kSkirting_m) return obstacle;
+  if (shade.light > std::max(floor.light, brightest_) && as_obstacle_m < kSkirting_m) return obstacle;
   if (!is_as_rough_as_floor(column, settled, end + 1)) return obstacle;
-  if (!is_shade_of(floor_bgr, mean_colour(column, beyond - kSurfaceRows + 1, beyond))) return {false, end};
+  if (!is_shade_of(floor_bgr, next_bgr)) return {false, end};
   surface.look.start(next);
   surface.lighter = next.light - floor_.look().light;
   const bool tall = end_of_surface(column, beyond, top, surface) < top;

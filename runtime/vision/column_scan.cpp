@@ -44,6 +44,7 @@ Eigen::Vector3d ColumnScan::mean_colour(int column, int from, int to) const {
 ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& start) {
   floor_.start(start);
   foot_ = start;
+  brightest_ = std::max(start.light, home_light_);
   if (span.bottom_row < 0) return {};
   if (span.horizon_row >= span.bottom_row) return {.end = ColumnResult::End::above_horizon};
   const int top = std::max(0, span.horizon_row < 0 ? 0 : span.horizon_row - kRowsPastHorizon);
@@ -55,6 +56,7 @@ ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& sta
     if (odd == 0 || is_known(look)) {
       evidence = std::max(0, evidence - 1);
       if (odd == 0) floor_.follow(look, 4);
+      brightest_ = std::max(brightest_, floor_.look().light);
     } else {
       if (evidence == 0) first_odd = row;
       evidence += odd;

@@ -81,7 +81,7 @@ class ColumnScan {
   };
   int end_of_joint(int column, int row, int top, const Surface* surface) const;
   Verdict judge_line(int column, int row, int top) const;
-  Verdict judge_shade(int column, int row, int top) const;
+  Verdict judge_shade(int column, int row, int top);
   int end_of_surface(int column, int row, int top, Surface surface) const;
   int end_of_ramp(int column, int row, int top) const;
   struct Width {
@@ -100,6 +100,7 @@ class ColumnScan {
   Tolerance tolerance_;
   LookFollower floor_;
   int home_light_ = 0;
+  int brightest_ = 0;  ///< of the floor in this column so far
   Look foot_;
 };
 
