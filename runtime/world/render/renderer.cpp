@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "world/render/finish.h"
+#include "world/render/floor_row.h"
 #include "world/render/tiles.h"
 
 namespace mirada::world {
@@ -26,68 +28,6 @@ std::uint32_t dither_at(int x, int y) {
   return kDither[static_cast<std::size_t>(y & 3)][static_cast<std::size_t>(x & 7)];
 }
 
-/// Eight neighbouring pixels of floor: where they lie on the floor's texture, in sixteenths of a texel.
-struct FloorRow {
-  struct Scene {
-    explicit Scene(const SceneView& view)
-        : r(view.rotation),
-          per_16(view.stage->floor_texels_per_m * 16),
-          u0((view.at_m.x() - view.stage->floor_min_x_m) * per_16),
-          v0((view.stage->floor_max_y_m - view.at_m.y()) * per_16),
-          height(view.at_m.z()),
-          deep(view.pixel_y * per_16),
-          wide(view.pixel_x * view.stage->floor_texels_per_m) {
-      const Texture& map = view.stage->textures[view.stage->floor_texture];
-      u_high = (map.width() - 65) * 16;
-      v_high = (map.height() - 65) * 16;
-    }
-    Eigen::Matrix3f r;
-    float per_16, u0, v0, height, deep, wide, u_high, v_high;
-  };
-
-  void aim(const Scene& s, const float* rx, const float* ry, int taps, const std::uint32_t* dither) {
-    const float share = 1 / (16 * static_cast<float>(taps));
-    const float share2 = share * share;
-    const float r00 = s.r(0, 0), r01 = s.r(0, 1), r02 = s.r(0, 2), r10 = s.r(1, 0), r11 = s.r(1, 1),
-                r12 = s.r(1, 2);
-    const float r20 = s.r(2, 0), r21 = s.r(2, 1), r22 = s.r(2, 2);
-    for (std::size_t x = 0; x < kTile; ++x) {
-      const float dx = r00 * rx[x] + r01 * ry[x] + r02;
-      const float dy = r10 * rx[x] + r11 * ry[x] + r12;
-      const float per_drop = -1 / (r20 * rx[x] + r21 * ry[x] + r22);
-      const float t = s.height * per_drop;
-      u[x] = s.u0 + t * dx * s.per_16;
-      v[x] = s.v0 - t * dy * s.per_16;
-      // How the place moves a pixel further down.
-      const float drop = r21 * per_drop;
-      du[x] = t * s.deep * (r01 + dx * drop);
-      dv[x] = -t * s.deep * (r11 + dy * drop);
-      const float across2 = t * t * s.wide * s.wide;
-      const float along2 = (du[x] * du[x] + dv[x] * dv[x]) * share2;
-      footprint2[x] = along2 > across2 ? along2 : across2;
-    }
-    for (std::size_t x = 0; x < kTile; ++x) level[x] = Texture::halved_level(footprint2[x], dither[x]);
-  }
-
-  void tap(const Scene& s, float offset) {
-    // Far off a pixel may reach past the floor's map.
-    constexpr float kLow = 16 * 64;
-    for (std::size_t x = 0; x < kTile; ++x) {
-      const float uu = u[x] + offset * du[x];
-      const float vv = v[x] + offset * dv[x];
-      const float u_low = uu > kLow ? uu : kLow;
-      const float v_low = vv > kLow ? vv : kLow;
-      u16[x] = static_cast<int>(u_low < s.u_high ? u_low : s.u_high);
-      v16[x] = static_cast<int>(v_low < s.v_high ? v_low : s.v_high);
-    }
-  }
-
-  std::array<int, kTile> u16, v16, level;
-
- private:
-  std::array<float, kTile> u, v, du, dv, footprint2;
-};
-
 // Four samples of a pixel on a turned grid, in pixels from its middle.
 constexpr std::array<std::array<float, 2>, 4> kSamples = {
     {{-0.125F, -0.375F}, {0.375F, -0.125F}, {-0.375F, 0.125F}, {0.125F, 0.375F}}};
@@ -109,6 +49,8 @@ struct Renderer::Impl {
   void smooth_edges();
   std::uint32_t resampled(int x, int y) const;
   bool on_edge(std::size_t at, int x, int y) const;
+  /// Whether four pixels side by side and all their neighbours show the same thing.
+  bool four_alike(std::size_t at) const;
   std::size_t at(int x, int y) const { return static_cast<std::size_t>(y * rays.stride + x); }
 
   Stage stage;
@@ -146,7 +88,7 @@ void Renderer::Impl::floor_tile(std::size_t start, const TileSorter::Tile& tile)
     for (int i = 0; i < taps; ++i) {
       line.tap(scene, (static_cast<float>(i) + 0.5F) / static_cast<float>(taps) - 0.5F);
       for (std::size_t x = 0; x < kTile; ++x) {
-        sum[x] += texture.sample_halved(line.level[x], line.u16[x], line.v16[x]) >> 8 & 0x00FF00FF00FF00FFULL;
+        sum[x] += texture.sample_halved(line.level[x], line.u16[x], line.v16[x]) >> 8 & kLaneBytes;
       }
     }
     for (std::size_t x = 0; x < kTile; ++x) {
@@ -244,11 +186,28 @@ std::uint32_t Renderer::Impl::resampled(int x, int y) const {
   return packed(sum * 64);
 }
 
+bool Renderer::Impl::four_alike(std::size_t i) const {
+  const auto four = [&](std::size_t start) {
+    std::uint64_t out;
+    std::memcpy(&out, ids.data() + start, sizeof out);
+    return out;
+  };
+  const auto stride = static_cast<std::size_t>(rays.stride);
+  const std::uint64_t own = four(i);
+  return ((own ^ four(i - 1)) | (own ^ four(i + 1)) | (own ^ four(i - stride)) | (own ^ four(i + stride))) ==
+         0;
+}
+
 void Renderer::Impl::smooth_edges() {
   for (int y = 0; y < rays.height; ++y) {
-    for (int x = 0; x < rays.width; ++x) {
+    for (int x = 0; x < rays.width; x += 4) {
       const std::size_t i = at(x, y);
-      if (on_edge(i, x, y)) pixels[i] = resampled(x, y);
+      const bool inside = x > 0 && y > 0 && x + 4 < rays.width && y + 1 < rays.height;
+      if (inside && four_alike(i)) continue;
+      for (int k = 0; k < 4 && x + k < rays.width; ++k) {
+        const std::size_t own = i + static_cast<std::size_t>(k);
+        if (on_edge(own, x + k, y)) pixels[own] = resampled(x + k, y);
+      }
     }
   }
 }

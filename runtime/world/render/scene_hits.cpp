@@ -108,7 +108,7 @@ std::uint32_t SceneView::floor_colour(float x, float y, float t, std::uint32_t d
   Lanes sum = 0;
   for (int i = 0; i < taps; ++i) {
     const float offset = (static_cast<float>(i) + 0.5F) * share - 0.5F;
-    sum += (Texture::sample(level, u + offset * du, v + offset * dv) >> 8 & 0x00FF00FF00FF00FFULL);
+    sum += (Texture::sample(level, u + offset * du, v + offset * dv) >> 8 & kLaneBytes);
   }
   return packed(sum * static_cast<std::uint32_t>(256 / taps));
 }

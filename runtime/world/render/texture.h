@@ -2,24 +2,28 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include <opencv2/core.hpp>
+#include <opencv2/core/hal/intrin.hpp>
 
 namespace mirada::world {
 
-/// A colour sum on its way: four 16-bit lanes (B, R, G, A from the low end), each channel times 256.
+/// A colour sum on its way: four 16-bit lanes (B, G, R, A from the low end), each channel times 256.
 using Lanes = std::uint64_t;
+constexpr Lanes kLaneBytes = 0x00FF00FF00FF00FFULL;
 
 inline Lanes spread(std::uint32_t bgra) {
-  return (bgra & 0x00FF00FFu) | (static_cast<Lanes>(bgra & 0xFF00FF00u) << 24);
+  Lanes out = bgra;
+  out = (out | (out << 16)) & 0x0000FFFF0000FFFFULL;
+  return (out | (out << 8)) & kLaneBytes;
 }
 
 /// The pixel of a sum whose channels are times 256.
 inline std::uint32_t packed(Lanes sum) {
-  const Lanes y = sum >> 8;
-  return static_cast<std::uint32_t>((y & 0x00FF00FFu) | ((y >> 24) & 0xFF00FF00u));
+  Lanes out = (sum >> 8) & kLaneBytes;
+  out = (out | (out >> 8)) & 0x0000FFFF0000FFFFULL;
+  return static_cast<std::uint32_t>(out | (out >> 16));
 }
 
 /// Scales every channel by share/256 (0..256).
@@ -57,14 +61,6 @@ class Texture {
   /// Levels up to this one are exact halvings, for a size that is a multiple of 64.
   static constexpr int kHalved = 6;
 
-  /// The number of the level for a squared footprint, 0 to kHalved; as level().
-  static int halved_level(float footprint2, std::uint32_t dither) {
-    const int bits = std::bit_cast<std::int32_t>(footprint2) - (127 << 23) + static_cast<int>(dither << 1);
-    const int index = bits >> 24;
-    const int least = index > 0 ? index : 0;
-    return least < kHalved ? least : kHalved;
-  }
-
   /// The colour at x, y in sixteenths of a texel of level 0, from a level up to kHalved; at least one of that
   /// level's texels inside the edges.
   Lanes sample_halved(int index, int x16, int y16) const {
@@ -75,27 +71,41 @@ class Texture {
   float height() const { return height_; }
 
  private:
-  /// Two texels side by side are one word: its even and its odd bytes are blended as lanes, first the rows,
-  /// then the columns.
+  /// Weights by sixteenths: below[f] is f in every lane, beside[f] the left texel's four lanes and the right
+  /// one's.
+  struct Weights {
+    std::uint16_t below[17][8];
+    std::uint16_t beside[16][8];
+  };
+  static constexpr Weights make_weights() {
+    Weights out{};
+    for (int f = 0; f <= 16; ++f) {
+      for (int lane = 0; lane < 8; ++lane) {
+        out.below[f][lane] = static_cast<std::uint16_t>(f);
+        if (f < 16) out.beside[f][lane] = static_cast<std::uint16_t>(lane < 4 ? 16 - f : f);
+      }
+    }
+    return out;
+  }
+  static const Weights kWeights;
+
+  /// Two texels side by side are eight lanes; first the rows are blended, then the columns.
   static Lanes at_sixteenths(const Level& level, int xi, int yi) {
-    constexpr Lanes kEven = 0x00FF00FF00FF00FFULL;
     const std::uint32_t* above = level.texels + (yi >> 4) * level.stride + (xi >> 4);
-    Lanes a, b;
-    std::memcpy(&a, above, sizeof a);
-    std::memcpy(&b, above + level.stride, sizeof b);
-    const auto fx = static_cast<std::uint32_t>(xi & 15);
-    const auto fy = static_cast<Lanes>(yi & 15);
-    const Lanes even = (a & kEven) * (16 - fy) + (b & kEven) * fy;
-    const Lanes odd = ((a >> 8) & kEven) * (16 - fy) + ((b >> 8) & kEven) * fy;
-    const std::uint32_t low =
-        static_cast<std::uint32_t>(even) * (16 - fx) + static_cast<std::uint32_t>(even >> 32) * fx;
-    const std::uint32_t high =
-        static_cast<std::uint32_t>(odd) * (16 - fx) + static_cast<std::uint32_t>(odd >> 32) * fx;
-    return low | (static_cast<Lanes>(high) << 32);
+    const cv::v_uint16x8 upper = cv::v_load_expand(reinterpret_cast<const std::uint8_t*>(above));
+    const cv::v_uint16x8 lower =
+        cv::v_load_expand(reinterpret_cast<const std::uint8_t*>(above + level.stride));
+    const int fy = yi & 15;
+    const cv::v_uint16x8 rows = cv::v_add_wrap(cv::v_mul_wrap(upper, cv::v_load(kWeights.below[16 - fy])),
+                                               cv::v_mul_wrap(lower, cv::v_load(kWeights.below[fy])));
+    const cv::v_uint16x8 both = cv::v_mul_wrap(rows, cv::v_load(kWeights.beside[xi & 15]));
+    return cv::v_reinterpret_as_u64(cv::v_add_wrap(both, cv::v_rotate_right<4>(both))).get0();
   }
 
   std::vector<Level> levels_;
   float width_ = 0, height_ = 0;
 };
+
+inline constexpr Texture::Weights Texture::kWeights = Texture::make_weights();
 
 }  // namespace mirada::world

@@ -43,7 +43,7 @@ TEST_P(FootOfABox, AppearsWhereTheCameraModelSays) {
   RobotConfig r = robot();
   r.camera.distortion = {GetParam().k1, 0, GetParam().p1, 0, 0};
   Random random(7, "boxes");
-  for (int trial = 0; trial < 12; ++trial) {
+  for (int trial = 0; trial < 5; ++trial) {
     WorldConfig world = quiet_room();
     const double distance_m = random.uniform(0.4, 1.8);
     const double pan_rad = rad(GetParam().pan_deg);
