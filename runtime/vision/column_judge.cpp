@@ -67,13 +67,15 @@ int ColumnScan::end_of_joint(int column, int row, int top, const Surface* surfac
   return -1;
 }
 
-/// How many cells side by side are not floor round this one, in its row; 0 when it is floor.
-ColumnScan::Width ColumnScan::width_at(int column, int row) const {
+/// How many cells side by side are not floor round this one, in its row; 0 when it is floor. Counts to
+/// `limit` and one more.
+ColumnScan::Width ColumnScan::width_at(int column, int row, int limit) const {
   if (is_floor(grid_.look(column, row))) return {0, true};
   int left = column;
   int right = column;
-  while (left > 0 && !is_floor(grid_.look(left - 1, row))) --left;
-  while (right + 1 < grid_.columns() && !is_floor(grid_.look(right + 1, row))) ++right;
+  while (left > 0 && column - left <= limit && !is_floor(grid_.look(left - 1, row))) --left;
+  while (right + 1 < grid_.columns() && right - left <= limit && !is_floor(grid_.look(right + 1, row)))
+    ++right;
   return {right - left + 1, left > 0 && right + 1 < grid_.columns()};
 }
 
@@ -90,12 +92,14 @@ ColumnScan::Verdict ColumnScan::judge_line(int column, int row, int top) const {
   int floor_rows = 0;
   for (int r = start; r >= top; --r) {
     const double depth_m = scale_.depth_m[static_cast<std::size_t>(r)];
-    const Width width = width_at(column, r);
+    const int limit = std::max(1, static_cast<int>(kWidestLine_m * scale_.focal_cells / depth_m));
+    const Width width = width_at(column, r, limit);
     floor_rows = width.cells == 0 ? floor_rows + 1 : 0;
     if (floor_rows >= kFloorIsBack) return {true, r};
     if (width.cells == 0) continue;
     if (start - r < kFirstLineRows) widest = std::max(widest, width.cells);
-    const bool too_wide = width.cells > 1 && width.cells * depth_m / scale_.focal_cells > kWidestLine_m;
+    const bool too_wide = width.cells > limit;
+    if (too_wide && start - r < kFirstLineRows) return obstacle;
     if (too_wide || width.cells > widest + 1) {
       if (wide_row < 0) wide_row = r;
       // Another line across is passed; something wide stays wide.

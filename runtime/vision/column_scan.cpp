@@ -50,7 +50,7 @@ ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& sta
   const int top = std::max(0, span.horizon_row < 0 ? 0 : span.horizon_row - kRowsPastHorizon);
   int evidence = 0;
   int first_odd = span.bottom_row;
-  for (int row = span.bottom_row; row >= top; --row) {
+  for (int row = span.bottom_row; row >= top; row -= row > scale_.coarse_row ? 2 : 1) {
     const Look look = grid_.look(column, row);
     const int odd = floor_.oddness(look, tolerance_);
     if (odd == 0 || is_known(look)) {
@@ -61,7 +61,7 @@ ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& sta
       if (evidence == 0) first_odd = row;
       evidence += odd;
     }
-    if (row == span.bottom_row - kFootRows && evidence == 0) foot_ = floor_.look();
+    if (row >= span.bottom_row - kFootRows && evidence == 0) foot_ = floor_.look();
     if (evidence < kAlarm) continue;
     const Verdict verdict = judge(column, first_odd, top);
     if (!verdict.floor_goes_on) return refined(column, verdict.row, span);

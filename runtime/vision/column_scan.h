@@ -31,6 +31,7 @@ struct ColumnSpan {
 /// What the rows of the grid mean on the floor; fixed by the neck's position.
 struct RowScale {
   std::vector<double> depth_m;  ///< ahead of the lens, for every grid row; huge at and above the horizon
+  int coarse_row = 10'000;      ///< below this row, every second one is enough
   double height_m = 0.2;        ///< the lens's
   double focal_cells = 66;      ///< focal length in grid columns
 };
@@ -88,7 +89,7 @@ class ColumnScan {
     int cells;
     bool whole;  ///< floor on both sides; false: cut off by the picture's side
   };
-  Width width_at(int column, int row) const;
+  Width width_at(int column, int row, int limit) const;
   ColumnResult from_above(int column, const ColumnSpan& span, int top) const;
   ColumnResult refined(int column, int row, const ColumnSpan& span) const;
 

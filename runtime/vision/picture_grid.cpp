@@ -36,6 +36,14 @@ void PictureGrid::resize(const CameraModel& camera) {
   }
 }
 
+void PictureGrid::look_at(const cv::Mat& bgr) {
+  bgr_ = bgr;
+  pixels_ = bgr_.ptr(pixels_down_ / 2);
+  row_bytes_ = static_cast<std::ptrdiff_t>(bgr_.step) * pixels_down_;
+  cell_bytes_ = 3 * static_cast<std::ptrdiff_t>(pixels_across_);
+  taps_touch_ = pixels_across_ == 4;
+}
+
 Eigen::Vector3d PictureGrid::ray_C(int column, double row) const {
   const int below = std::clamp(static_cast<int>(std::floor(row)), 0, rows_ - 2);
   const double share = row - below;

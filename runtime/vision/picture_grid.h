@@ -27,7 +27,7 @@ class PictureGrid {
   /// Prepares for pictures of this camera's size: one ray a cell.
   void resize(const CameraModel& camera);
   /// The picture to look at; it must live until the next call, be CV_8UC3 and of the prepared size.
-  void look_at(const cv::Mat& bgr) { bgr_ = bgr; }
+  void look_at(const cv::Mat& bgr);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
@@ -62,21 +62,28 @@ class PictureGrid {
   int rows_ = 0;
   int pixels_across_ = 4;
   int pixels_down_ = 1;
+  const std::uint8_t* pixels_ = nullptr;  ///< of bgr_, the first row that is sampled
+  std::ptrdiff_t row_bytes_ = 0;          ///< from one grid row to the next
+  std::ptrdiff_t cell_bytes_ = 12;
+  bool taps_touch_ = true;                ///< four neighbouring pixels
   int tap_offset_[4] = {0, 3, 6, 9};      ///< bytes from a cell's first pixel to its four samples
   std::vector<Eigen::Vector3f> rays_;     ///< column by column, bottom row last
   std::array<std::uint8_t, 1021> log_{};  ///< of a sum of four
 };
 
 inline PictureGrid::Sums PictureGrid::sums(int column, int row) const {
-  const std::uint8_t* at = bgr_.ptr(row * pixels_down_ + pixels_down_ / 2) +
-                           3 * static_cast<std::ptrdiff_t>(column) * pixels_across_;
-  std::uint32_t blue_red = 0;  // two sums side by side
-  std::uint32_t green = 0;
-  for (const int offset : tap_offset_) {
-    blue_red += at[offset] | static_cast<std::uint32_t>(at[offset + 2]) << 16;
-    green += at[offset + 1];
+  const std::uint8_t* at = pixels_ + row_bytes_ * row + cell_bytes_ * column;
+  if (taps_touch_) {
+    return {0u + at[0] + at[3] + at[6] + at[9], 0u + at[1] + at[4] + at[7] + at[10],
+            0u + at[2] + at[5] + at[8] + at[11]};
   }
-  return {blue_red & 0xffff, green, blue_red >> 16};
+  Sums sums{0, 0, 0};
+  for (const int offset : tap_offset_) {
+    sums.blue += at[offset];
+    sums.green += at[offset + 1];
+    sums.red += at[offset + 2];
+  }
+  return sums;
 }
 
 inline Look PictureGrid::look(int column, int row) const {

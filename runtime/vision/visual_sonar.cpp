@@ -77,11 +77,16 @@ void VisualSonar::Impl::prepare_neck(const NeckAngles& neck) {
   const Eigen::Vector2d lens = ground->X_RC().translation().head<2>();
   const Eigen::Vector2d ahead = ground->X_RC().linear().col(2).head<2>().normalized();
   scale.height_m = ground->height_m();
+  const auto depth_of = [&](int row) { return scale.depth_m[static_cast<std::size_t>(row)]; };
   for (int row = 0; row < grid.rows(); ++row) {
     const Eigen::Vector3d ray = grid.ray_C(grid.columns() / 2, row);
     const auto p = ground->floor_point_of_ray(ray);
     scale.depth_m[static_cast<std::size_t>(row)] = p ? std::min(1e3, (*p - lens).dot(ahead)) : 1e3;
   }
+  constexpr double kFine_m = 0.003;
+  scale.coarse_row = grid.rows() - 1;
+  while (scale.coarse_row > 1 && depth_of(scale.coarse_row - 1) - depth_of(scale.coarse_row) < kFine_m)
+    --scale.coarse_row;
   for (int column = 0; column < grid.columns(); ++column) {
     ColumnSpan& span = spans[static_cast<std::size_t>(column)];
     span.bottom_row = grid.rows() - 1;
