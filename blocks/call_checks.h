@@ -26,7 +26,7 @@ inline vm::NativeFn with_robot(const std::shared_ptr<const Link>& link, RobotBlo
 inline std::optional<NativeResult> refused(double value, double min, double max, const std::string& unit) {
   if (!std::isfinite(value)) {
     const std::string text = std::isnan(value) ? "NaN" : value > 0 ? "Infinity" : "-Infinity";
-    return NativeResult::failed(messages::not_a_number, {{"value", text}});
+    return NativeResult::failed(messages::number_not_finite, {{"value", text}});
   }
   if (value >= min && value <= max) return std::nullopt;
   return NativeResult::failed(

@@ -1,6 +1,9 @@
 #include "rig/station_factory.h"
 
+#include <iostream>
+
 #include "rig/live_station.h"
+#include "rig/messages.h"
 #include "rig/setup_reader.h"
 
 namespace mirada::rig {
@@ -14,6 +17,9 @@ Result<std::unique_ptr<session::Station>> make_station(const StationOptions& opt
   if (!parts) return parts.faults();
   auto robot = LiveRobot::build(*parts);
   if (!robot) return robot.faults();
+  if (!options.camera.empty()) {
+    std::cerr << format(messages::camera_from_outside, {{"camera", options.camera}}, options.lang) << "\n";
+  }
   return std::unique_ptr<session::Station>(std::make_unique<LiveStation>(std::move(*robot), options.camera));
 }
 

@@ -11,8 +11,8 @@ inline constexpr Message no_neck{"no_neck", "This robot's camera can't turn.",
                                  "La cámara de este robot no puede girar."};
 inline constexpr Message not_running{"not_running", "Press the green flag first: then I can move.",
                                      "Pulsa primero la bandera verde: entonces podré moverme."};
-inline constexpr Message not_a_number{"not_a_number", "I need a real number here, not {value}.",
-                                      "Aquí necesito un número de verdad, no {value}."};
+inline constexpr Message number_not_finite{"number_not_finite", "I need a real number here, not {value}.",
+                                           "Aquí necesito un número de verdad, no {value}."};
 inline constexpr Message beyond_limit{"beyond_limit",
                                       "{value} {unit} is too much for me. Use {min} to {max}.",
                                       "{value} {unit} es demasiado para mí. Usa de {min} a {max}."};
@@ -22,9 +22,6 @@ inline constexpr Message pan_clamped{
 inline constexpr Message not_getting_there{"not_getting_there",
                                            "I am not getting there. Is something in my way?",
                                            "No consigo llegar. ¿Hay algo en mi camino?"};
-inline constexpr Message motors_too_fast{
-    "motors_too_fast", "That is faster than my wheels may turn, so I stopped.",
-    "Eso es más rápido de lo que pueden girar mis ruedas, así que paré."};
 inline constexpr Message faces_unavailable{"faces_unavailable", "I can't look for faces here: {reason}",
                                            "Aquí no puedo buscar caras: {reason}"};
 

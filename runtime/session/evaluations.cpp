@@ -42,13 +42,14 @@ Evaluations::Evaluations(robot::Robot& robot, const vm::BlockCatalog& catalog, s
 
 Evaluations::~Evaluations() { give_up(messages::robot_changed); }
 
-void Evaluations::ask(const vm::LoadedProgram& program, const std::string& block, AnswerFn answer) {
+void Evaluations::ask(const vm::LoadedProgram& program, const std::string& block, const robot::Needs& needs,
+                      AnswerFn answer) {
   auto open = std::make_unique<Open>();
   open->request = next_request_++;
   open->block = block;
   open->answer = std::move(answer);
   open->deadline = robot_->now() + kPatience;
-  open->needs = needs_of(program.needs);
+  open->needs = needs;
   open->host = std::make_unique<QuietHost>(*robot_, seed_);
   open->machine = std::make_unique<vm::Machine>(program.code, *catalog_, *open->host);
   open_.push_back(std::move(open));

@@ -19,8 +19,9 @@ class Evaluations {
   Evaluations(robot::Robot& robot, const vm::BlockCatalog& catalog, std::uint64_t seed);
   ~Evaluations();
 
-  /// In a machine of its own.
-  void ask(const vm::LoadedProgram& program, const std::string& block, AnswerFn answer);
+  /// In a machine of its own, once what the block needs has been seen.
+  void ask(const vm::LoadedProgram& program, const std::string& block, const robot::Needs& needs,
+           AnswerFn answer);
   /// In a machine that somebody else ticks; its answers come by answered().
   void ask(vm::Machine& running, const std::string& block, AnswerFn answer);
   void answered(const std::vector<vm::Machine::Answer>& answers);

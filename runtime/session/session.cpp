@@ -89,7 +89,8 @@ void Session::evaluate(const vm::LoadedProgram& program, const std::string& prog
   if (same) {
     evaluations_.ask(*machine_, block, std::move(answer));
   } else {
-    evaluations_.ask(program, block, std::move(answer));
+    const robot::Needs needs = needs_of(needs_of_block(program_json, block, program, *catalog_));
+    evaluations_.ask(program, block, needs, std::move(answer));
   }
   update_needs();
 }

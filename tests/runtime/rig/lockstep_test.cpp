@@ -59,7 +59,7 @@ TEST(Lockstep, AFaultEndsItsScriptAndTheOthersGoOn) {
       say("never"));
   const RunReport report = run(flag(fast) + "," + flag(wait("0.5", say("still here"))));
   EXPECT_EQ(report.status, RunStatus::faulted);
-  EXPECT_TRUE(has_fault(report, "speeds", "not_a_number"));
+  EXPECT_TRUE(has_fault(report, "speeds", "number_not_finite"));
   ASSERT_EQ(report.say.size(), 1u);
   EXPECT_EQ(report.say[0].text, "still here");
   EXPECT_EQ(report.robot->path_m, 0);
