@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -94,6 +95,7 @@ struct Program {
   std::vector<Sprite> sprites{Sprite{}};
   std::unordered_map<std::string, BlockIndex> by_id;
   bool from_scratch = false;
+  std::shared_ptr<const BlockCatalog> scratch_blocks;  ///< of an imported project
 
   const Block& at(BlockIndex i) const { return blocks[static_cast<std::size_t>(i)]; }
   Block& at(BlockIndex i) { return blocks[static_cast<std::size_t>(i)]; }

@@ -17,7 +17,8 @@ void Compiler::statement(BlockIndex index) {
   if (block.def->implementation == Implementation::native) {
     build_->executed(1);
     build_->free(native(block, false));
-  } else if (!call(block) && !control_statement(block) && !data_statement(block)) {
+  } else if (!call(block) && !control_statement(block) && !data_statement(block) &&
+             !scratch_statement(block)) {
     list_statement(block);
   }
   build_->set_block(around);
@@ -46,6 +47,27 @@ bool Compiler::control_statement(const Block& block) {
   }
   if (opcode == "sensing_resettimer") return build_->emit(Op::reset_timer), true;
   return false;
+}
+
+/// Blocks that only imported projects have.
+bool Compiler::scratch_statement(const Block& block) {
+  const std::string& opcode = block.opcode;
+  if (!program_.from_scratch) return false;
+  if (opcode == "control_delete_this_clone") return build_->emit_end(Op::delete_clone), true;
+  if (opcode == "control_create_clone_of") {
+    const Operand name = value_input(block, "CLONE_OPTION");
+    build_->emit(Op::clone, name.reg);
+    return build_->free(name), true;
+  }
+  if (!opcode.starts_with("looks_")) return false;
+  const Operand text = value_input(block, "MESSAGE");
+  build_->emit(Op::say, text.reg);
+  build_->free(text);
+  if (!opcode.ends_with("forsecs")) return true;
+  const Operand seconds = number_input(block, "SECS");
+  build_->emit_end(Op::wait, seconds.reg);
+  build_->free(seconds);
+  return build_->emit(Op::say, text_constant("")), true;
 }
 
 void Compiler::mouth(const Block& block, std::string_view name) {

@@ -45,6 +45,7 @@ class Compiler {
   void stack(BlockIndex first);
   void statement(BlockIndex index);
   bool control_statement(const Block& block);
+  bool scratch_statement(const Block& block);
   bool data_statement(const Block& block);
   bool list_statement(const Block& block);
   void mouth(const Block& block, std::string_view name);

@@ -120,7 +120,7 @@ HANDLER(call) {
     thread.frames.push_back({&function, at + 1, base, at->b, t.warp});
     f += caller_size;
   } else {
-    if (!t.machine->push_frame(thread, function, at + 1, at->b, base, t.warp)) {
+    if (!t.machine->push_frame(thread, function, at + 1, at->b, base, t.warp, block_at(t, at))) {
       return end_turn(t, at, block_at(t, at), Exit::faulted);
     }
     f = thread.frame();

@@ -6,7 +6,7 @@
 namespace mirada::vm {
 
 Result<LoadedProgram> load_program(std::string_view json_text, const BlockCatalog& catalog) {
-  ReadProgram read = read_blockly(json_text);
+  ReadProgram read = read_program(json_text);
   Validation checked = validate(read.program, catalog);
   Faults faults = std::move(read.faults);
   faults.insert(faults.end(), checked.faults.begin(), checked.faults.end());

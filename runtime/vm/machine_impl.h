@@ -59,7 +59,7 @@ struct Machine::Impl {
   // threads.cpp
   Thread* new_thread(const Function& function, Instance* instance);
   bool push_frame(Thread& thread, const Function& function, const Instr* back, std::int32_t depth,
-                  std::uint32_t base, std::int32_t warp);
+                  std::uint32_t base, std::int32_t warp, BlockIndex caller);
   void unwind(Thread& thread);
   void recycle(Thread& thread);
   Thread* find_running(const Script& script, const Instance* instance) const;

@@ -33,6 +33,22 @@ inline constexpr Message duplicate_id{"duplicate_id",
 inline constexpr Message duplicate_variable{"duplicate_variable", "Two variables have the same id {id}.",
                                             "Dos variables tienen el mismo id {id}."};
 
+inline constexpr Message project_broken{
+    "project_broken", "This is no whole Scratch project: its JSON breaks at byte {byte}.",
+    "Esto no es un proyecto de Scratch completo: su JSON se rompe en el byte {byte}."};
+inline constexpr Message archive_broken{
+    "archive_broken", "This is no Scratch file: I can't unpack it. Save it again from Scratch.",
+    "Esto no es un archivo de Scratch: no puedo abrirlo. Guárdalo otra vez."};
+inline constexpr Message archive_without_project{"archive_without_project",
+                                                 "There is no project.json in this Scratch file.",
+                                                 "En este archivo de Scratch no hay project.json."};
+inline constexpr Message archive_too_large{
+    "archive_too_large", "The project in this Scratch file takes more than {limit_mib} MiB.",
+    "El proyecto de este archivo de Scratch ocupa más de {limit_mib} MiB."};
+inline constexpr Message stage_blocks{
+    "stage_blocks", "These blocks need Scratch's stage and do nothing here: {blocks}.",
+    "Estos bloques necesitan el escenario de Scratch y aquí no hacen nada: {blocks}."};
+
 // What can be wrong with a block.
 inline constexpr Message unknown_block{"unknown_block",
                                        "I don't know the block \"{opcode}\". Take it out to run.",
@@ -51,7 +67,7 @@ inline constexpr Message field_absent{"field_absent", "This block lacks its choi
                                       "A este bloque le falta la opción {field}."};
 inline constexpr Message wrong_choice{"wrong_choice", "{field} must be one of {choices}, not \"{value}\".",
                                       "{field} debe ser uno de {choices}, no «{value}»."};
-inline constexpr Message not_a_number{"not_a_number", "{field} must be a number, not \"{value}\".",
+inline constexpr Message not_a_number{"field_not_a_number", "{field} must be a number, not \"{value}\".",
                                       "{field} debe ser un número, no «{value}»."};
 inline constexpr Message out_of_range{"out_of_range",
                                       "{field} is {value}; sensible values go from {min} to {max}.",
@@ -94,7 +110,7 @@ inline constexpr Message return_elsewhere{"return_elsewhere",
                                           "Fuera de un bloque propio, devolver solo detiene el programa."};
 
 // What can go wrong while a program runs.
-inline constexpr Message text_too_long{"text_too_long", "This text would be longer than {limit} bytes.",
+inline constexpr Message text_too_long{"text_over_limit", "This text would be longer than {limit} bytes.",
                                        "Este texto tendría más de {limit} bytes."};
 inline constexpr Message out_of_memory{
     "out_of_memory", "The program's lists and texts take more than {limit_mib} MiB. Empty some.",

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "vm/elementary.h"
+
 namespace mirada::vm {
 namespace {
 
@@ -107,6 +109,7 @@ double tenth_decimal(double x) { return std::nearbyint(x * 1e10) / 1e10; }
 
 /// Number(x.toFixed(10)): round half away, with JavaScript's exactness for the sizes that sines have.
 double to_fixed_10(double x) {
+  if (x == 0) return 0;
   char buffer[64];
   const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::fixed, 10);
   if (error != std::errc{}) return tenth_decimal(x);
@@ -189,11 +192,11 @@ double apply_math(MathFn fn, double x) {
     case MathFn::atan:
       return std::atan(x) * 180.0 / kPi;
     case MathFn::ln:
-      return std::log(x);
+      return logarithm(x);
     case MathFn::log:
-      return std::log(x) / std::numbers::ln10;
+      return logarithm(x) / std::numbers::ln10;
     case MathFn::exp:
-      return std::exp(x);
+      return exponential(x);
     case MathFn::pow10:
       return std::pow(10.0, x);
     case MathFn::count:

@@ -15,5 +15,9 @@ struct ReadProgram {
 
 /// The editor's envelope or a bare Blockly workspace (docs/program-format.md).
 ReadProgram read_blockly(std::string_view json_text);
+/// A Scratch 3 project's project.json.
+ReadProgram read_scratch_project(std::string_view json_text);
+/// Any of them, and .sb3 files: told apart by their content.
+ReadProgram read_program(std::string_view bytes);
 
 }  // namespace mirada::vm

@@ -22,16 +22,15 @@ Thread* Machine::Impl::new_thread(const Function& function, Instance* instance) 
   thread.pending = 0;
   thread.at = function.code.data();
   thread.block = function.block_of.front();
-  if (!push_frame(thread, function, nullptr, 0, 0, 0)) thread.state = ThreadState::done;
+  if (!push_frame(thread, function, nullptr, 0, 0, 0, thread.block)) thread.state = ThreadState::done;
   return &thread;
 }
 
 /// Room for a frame, and its registers set to nothing. False (with a fault) when depth or memory are spent.
 bool Machine::Impl::push_frame(Thread& thread, const Function& function, const Instr* back,
-                               std::int32_t depth, std::uint32_t base, std::int32_t warp) {
+                               std::int32_t depth, std::uint32_t base, std::int32_t warp, BlockIndex caller) {
   if (thread.frames.size() >= limits.max_depth) {
-    fault(thread, function.block_of.front(), messages::too_deep,
-          {{"limit", std::to_string(limits.max_depth)}});
+    fault(thread, caller, messages::too_deep, {{"limit", std::to_string(limits.max_depth)}});
     return false;
   }
   if (base + function.reserve > thread.capacity) {
@@ -40,7 +39,7 @@ bool Machine::Impl::push_frame(Thread& thread, const Function& function, const I
     list_bytes += (capacity - thread.capacity) * sizeof(Slot);
     if (out_of_memory()) {
       list_bytes -= (capacity - thread.capacity) * sizeof(Slot);
-      fault(thread, function.block_of.front(), messages::out_of_memory,
+      fault(thread, caller, messages::out_of_memory,
             {{"limit_mib", std::to_string(limits.max_total_bytes >> 20)}});
       return false;
     }

@@ -103,7 +103,20 @@ void Validator::check_variables() {
 }
 
 void Validator::look_up() {
-  for (Block& block : program_.blocks) block.def = catalog_.find(block.opcode);
+  std::set<std::string> left_out;
+  for (Block& block : program_.blocks) {
+    block.def = catalog_.find(block.opcode);
+    if (!program_.from_scratch) continue;
+    // A robot's blocks may share a name with Scratch's and mean something else.
+    if (!block.def || block.def->implementation != Implementation::core) {
+      block.def = program_.scratch_blocks->find(block.opcode);
+    }
+    if (!block.def && !literal_field(block)) left_out.insert(block.opcode);
+  }
+  if (left_out.empty()) return;
+  std::string list;
+  for (const std::string& opcode : left_out) list += (list.empty() ? "" : ", ") + opcode;
+  out_.faults.push_back(make_fault("", messages::stage_blocks, {{"blocks", list}}, Severity::warning));
 }
 
 /// Blocks stand after the block that holds them, so one pass from the front hands liveness and tops down.
@@ -151,7 +164,7 @@ void Validator::collect_definitions() {
   for (const Block& block : program_.blocks) {
     if (block.opcode != "procedures_definition" || block.signature < 0 || block.disabled) continue;
     const Signature& signature = program_.signatures[static_cast<std::size_t>(block.signature)];
-    if (!definitions_.emplace(signature.id, &signature).second) {
+    if (!definitions_.emplace(signature.id, &signature).second && !program_.from_scratch) {
       fault(block, messages::two_definitions, {{"name", signature.name}});
     }
     std::set<std::string> names;
@@ -166,10 +179,11 @@ void Validator::collect_definitions() {
 void Validator::check_block(BlockIndex index) {
   const Block& block = program_.at(index);
   if (!block.def) {
-    if (literal_field(block)) return;
+    if (literal_field(block) || program_.from_scratch) return;
     return fault(block, messages::unknown_block, {{"opcode", block.opcode}});
   }
   const BlockDef& def = *block.def;
+  if (program_.from_scratch) return;  // Scratch takes what it finds; its own rules say what happens then
   check_place(block, def);
   for (const ArgDef& arg : def.args) {
     if (arg.is_field) {
@@ -260,6 +274,7 @@ void Validator::check_literal(const Block& block, const ArgDef& arg) {
   if (number != number && literal->name == "NUM" && !program_.from_scratch) {
     return fault(block, messages::not_a_number, {{"field", arg.name}, {"value", literal->value}});
   }
+  if (number != number) return;
   const double low = arg.min.value_or(number);
   const double high = arg.max.value_or(number);
   if (number >= low && number <= high) return;

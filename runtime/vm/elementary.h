@@ -1,0 +1,10 @@
+#pragma once
+
+namespace mirada::vm {
+
+// Natural logarithm and exponential to the last bit as JavaScript engines give them: they follow the
+// reductions and coefficients that Sun published with fdlibm, while C libraries round a little differently.
+double logarithm(double x);
+double exponential(double x);
+
+}  // namespace mirada::vm

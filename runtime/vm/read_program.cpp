@@ -1,0 +1,71 @@
+#include <array>
+#include <memory>
+
+#include <zip.h>
+
+#include "vm/messages.h"
+#include "vm/reader.h"
+
+namespace mirada::vm {
+namespace {
+
+constexpr std::size_t kMaxProject = 16u << 20;  // of project.json, unpacked
+constexpr std::size_t kMaxArchive = 64u << 20;
+
+ReadProgram broken(const Message& why, MessageArgs args = {}) {
+  ReadProgram out;
+  out.faults.push_back(make_fault("", why, std::move(args)));
+  return out;
+}
+
+ReadProgram too_large() {
+  return broken(messages::archive_too_large, {{"limit_mib", std::to_string(kMaxProject >> 20)}});
+}
+
+/// Only project.json is unpacked, from memory to memory and never more than the limit: no path and no bomb
+/// matters.
+ReadProgram read_archive(std::string_view bytes) {
+  if (bytes.size() > kMaxArchive) return too_large();
+  zip_error_t error;
+  zip_error_init(&error);
+  zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+  zip_t* opened = source ? zip_open_from_source(source, ZIP_RDONLY, &error) : nullptr;
+  zip_error_fini(&error);
+  if (!opened) {
+    if (source) zip_source_free(source);
+    return broken(messages::archive_broken);
+  }
+  const std::unique_ptr<zip_t, void (*)(zip_t*)> archive(opened, [](zip_t* z) { zip_discard(z); });
+  const zip_int64_t index = zip_name_locate(archive.get(), "project.json", 0);
+  if (index < 0) return broken(messages::archive_without_project);
+  zip_file_t* entry = zip_fopen_index(archive.get(), static_cast<zip_uint64_t>(index), 0);
+  if (!entry) return broken(messages::archive_broken);
+  const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(entry, zip_fclose);
+  std::string text;
+  std::array<char, 65536> chunk{};
+  for (;;) {
+    const zip_int64_t got = zip_fread(file.get(), chunk.data(), chunk.size());
+    if (got < 0) return broken(messages::archive_broken);
+    if (got == 0) break;
+    text.append(chunk.data(), static_cast<std::size_t>(got));
+    if (text.size() > kMaxProject) return too_large();
+  }
+  return read_scratch_project(text);
+}
+
+/// Whether the outermost object of a JSON text has a list called targets, as a Scratch project has.
+bool looks_like_project(std::string_view text) {
+  const std::size_t targets = text.find("\"targets\"");
+  const std::size_t blockly = std::min(text.find("\"workspace\""), text.find("\"languageVersion\""));
+  return targets != std::string_view::npos && targets < blockly;
+}
+
+}  // namespace
+
+ReadProgram read_program(std::string_view bytes) {
+  if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06")) return read_archive(bytes);
+  if (bytes.size() <= kMaxProject && looks_like_project(bytes)) return read_scratch_project(bytes);
+  return read_blockly(bytes);
+}
+
+}  // namespace mirada::vm

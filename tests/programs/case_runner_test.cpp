@@ -1,0 +1,131 @@
+// Runs every program in cases/: {claim, program, ticks?: "world", keys?: [..], expect: {...}}. What is
+// expected is compared exactly; what is not named is not looked at.
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "base/files.h"
+#include "programs/support.h"
+
+namespace mirada::vm::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> case_files() {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(std::string(MIRADA_SOURCE_DIR) + "/tests/programs/cases")) {
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+Json read_case(const fs::path& file) { return Json::parse(*read_file(file)); }
+
+Json as_json(const MonitorValue& value) {
+  if (value.is_truth) return value.text == "true";
+  if (value.is_number && std::isfinite(value.number)) return value.number;
+  return value.text;
+}
+
+/// Numbers compare by value, so that 3 and 3.0 are one.
+void expect_value(const Json& got, const Json& want, const std::string& what) {
+  if (got.is_number() && want.is_number()) {
+    EXPECT_EQ(got.get<double>(), want.get<double>()) << what;
+  } else {
+    EXPECT_EQ(got.dump(), want.dump()) << what;
+  }
+}
+
+class Case : public testing::TestWithParam<fs::path> {};
+
+void check_variables(const Machine& machine, const Json& expect) {
+  const auto variables = machine.variables();
+  for (const auto& [name, want] : expect.items()) {
+    ASSERT_TRUE(variables.contains(name)) << name;
+    expect_value(as_json(variables.at(name)), want, name);
+  }
+}
+
+void check_lists(const Machine& machine, const Json& expect) {
+  const auto lists = machine.lists(200'000);
+  for (const auto& [name, want] : expect.items()) {
+    ASSERT_TRUE(lists.contains(name)) << name;
+    Json got = Json::array();
+    for (const MonitorValue& item : lists.at(name)) got.push_back(as_json(item));
+    ASSERT_EQ(got.size(), want.size()) << name << ": " << got.dump();
+    for (std::size_t i = 0; i < got.size(); ++i)
+      expect_value(got[i], want[i], name + " item " + std::to_string(i + 1));
+  }
+}
+
+Json faults_of(std::vector<std::pair<std::string, std::string>> faults) {
+  std::sort(faults.begin(), faults.end());
+  Json out = Json::array();
+  for (const auto& [place, code] : faults) out.push_back({place, code});
+  return out;
+}
+
+void run_case(const Json& json) {
+  const Json& expect = json["expect"];
+  const Result<LoadedProgram> loaded = load_program(json["program"].dump(), core_catalog());
+  std::vector<std::pair<std::string, std::string>> found;
+  for (const Fault& fault : loaded.ok() ? loaded->warnings : loaded.faults()) {
+    found.emplace_back(fault.place, std::string(fault.code()));
+  }
+  EXPECT_EQ(loaded.ok(), !expect.contains("refused")) << faults_of(found).dump();
+  const char* kind = loaded.ok() ? "warnings" : "refused";
+  EXPECT_EQ(faults_of(found).dump(), expect.value(kind, Json::array()).dump());
+  if (!loaded.ok()) return;
+  Running run(json["program"]);
+  for (const auto& key : json.value("keys", Json::array())) run.machine->key(key, true);
+  run.finish(json.value("seconds", 30.0), json.value("ticks", "back to back") != "world");
+  std::vector<std::pair<std::string, std::string>> faults;
+  for (const BlockFault& fault : run.machine->take_faults()) {
+    faults.emplace_back(fault.block, std::string(fault.fault.code()));
+  }
+  EXPECT_EQ(faults_of(faults).dump(), expect.value("faults", Json::array()).dump());
+  check_variables(*run.machine, expect.value("variables", Json::object()));
+  check_lists(*run.machine, expect.value("lists", Json::object()));
+  if (expect.contains("say")) {
+    EXPECT_EQ(Json(run.host.said).dump(), expect["say"].dump());
+  }
+  if (expect.contains("executions")) {
+    EXPECT_EQ(run.machine->block_executions(), expect["executions"].get<std::uint64_t>());
+  }
+}
+
+TEST_P(Case, DoesWhatItClaims) {
+  const Json json = read_case(GetParam());
+  SCOPED_TRACE(json["claim"].get<std::string>());
+  ASSERT_TRUE(json.contains("expect"));
+  run_case(json);
+}
+
+std::string name_of(const testing::TestParamInfo<fs::path>& info) {
+  std::string name = info.param.stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, Case, testing::ValuesIn(case_files()), name_of);
+
+void collect_types(const Json& json, std::set<std::string>& types) {
+  if (json.is_object() && json.contains("type") && json["type"].is_string()) types.insert(json["type"]);
+  for (const auto& item : json.items()) {
+    if (item.value().is_structured()) collect_types(item.value(), types);
+  }
+}
+
+TEST(Cases, EveryOpcodeOfTheCorePacksHasAProgram) {
+  std::set<std::string> types;
+  for (const fs::path& file : case_files()) collect_types(read_case(file)["program"], types);
+  for (const auto& [opcode, def] : core_catalog().all()) EXPECT_TRUE(types.contains(opcode)) << opcode;
+}
+
+}  // namespace
+}  // namespace mirada::vm::test
