@@ -1,14 +1,16 @@
 // `mirada run` and `mirada check`: what runs without a browser.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { changeN, file, flagProgram, mirada, readJson, refused, shipped } from './support.mjs';
+import { changeN, file, fits, flagProgram, mirada, readJson, refused, shipped } from './support.mjs';
 
 const avoid = shipped('blocks/vision/examples/avoid.json');
 
 function report(args) {
   const answer = mirada(['run', ...args, '--report', '-']);
   assert.equal(answer.status, 0, answer.err);
-  return JSON.parse(answer.out);
+  const run = JSON.parse(answer.out);
+  fits(run, 'run-report');
+  return run;
 }
 
 for (const world of ['sala-1', 'green-field', 'workshop']) {
@@ -66,6 +68,7 @@ test('an invalid run still writes its report', () => {
   const answer = mirada(['run', 'nowhere.json', '--report', '-']);
   assert.equal(answer.status, 2);
   const run = JSON.parse(answer.out);
+  fits(run, 'run-report');
   assert.equal(run.status, 'invalid');
   assert.ok(run.faults.length > 0 && run.faults.every((fault) => fault.message.length > 0));
 });

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { file, folder, mirada, readJson, refused, shipped } from './support.mjs';
+import { file, fits, folder, mirada, readJson, refused, shipped } from './support.mjs';
 
 const photographs = '/usr/share/doc/opencv-doc/examples/data';
 const photograph = join(photographs, 'left01.jpg');
@@ -14,6 +14,7 @@ test('a photograph gives an answer for every degree that the camera sees', () =>
   const answer = mirada(['see', photograph, '--robot', 'mirada-sim', '--pan', '20', '--json', '--overlay', overlay]);
   assert.equal(answer.status, 0, answer.err);
   const report = JSON.parse(answer.out);
+  fits(report, 'see');
   const bearings = report.sonar.map((reading) => reading.bearing_deg);
   assert.ok(bearings.length > 50 && bearings.includes(20));
   for (const { answer: kind, distance_m: distance } of report.sonar) {

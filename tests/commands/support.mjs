@@ -7,6 +7,7 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { after } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { faults } from '../architecture/json_schema.mjs';
 
 export const root = join(dirname(fileURLToPath(import.meta.url)), '..', '..');
 export const program = join(root, 'build/release/bin/mirada');
@@ -27,6 +28,11 @@ export function file(name, content) {
 
 export const shipped = (path) => join(root, path);
 export const readJson = (path) => JSON.parse(readFileSync(path, 'utf8'));
+
+/** The value fits docs/schema/NAME.schema.json. */
+export function fits(value, name) {
+  assert.deepEqual(faults(value, readJson(shipped(`docs/schema/${name}.schema.json`))), []);
+}
 
 /** Bad input is answered in words with status 2: never a crash, never silence, never a raw exception. */
 export function refused(answer, ...words) {
