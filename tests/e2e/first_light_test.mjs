@@ -167,9 +167,10 @@ describe('first light', { timeout: 240_000 }, () => {
 
   test('a second browser watches, and may stop', async () => {
     const other = await openPage(browser);
+    await other.goto(robot.url);
+    await other.locator(`${on.flag}:not([disabled])`).waitFor({ timeout: 60_000 });
     await page.click(on.flag);
     await until('a running program', () => heard.telemetry?.state === 'running');
-    await other.goto(robot.url);
     await other
       .locator('[data-testid=driver]', { hasText: 'Somebody else drives' })
       .waitFor({ timeout: 60_000 });

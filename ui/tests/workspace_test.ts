@@ -54,6 +54,20 @@ describe('program to workspace and back', () => {
     expect(roundTrip(state).blocks).toEqual(state.blocks);
   });
 
+  it('a program that Blockly cannot connect becomes placeholders as a whole, and comes back as it was', () => {
+    const param = { id: 'p', name: 'loud', type: 'boolean' };
+    const extraState = { id: 'x', name: 'sing', params: [param], returns: false, warp: false };
+    const number: BlockState = { type: 'operator_add', id: 'n' };
+    const call: BlockState = {
+      type: 'procedures_call',
+      id: 'c',
+      extraState,
+      inputs: { p: { block: number } },
+    };
+    const state = workspaceOf({ ...stack(wait('a'), call, wait('z')), x: 1, y: 2 });
+    expect(roundTrip(state).blocks).toEqual(state.blocks);
+  });
+
   it('every shipped block survives in both languages', () => {
     for (const code of ['en', 'es'] as const) {
       lang.value = code;

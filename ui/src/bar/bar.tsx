@@ -107,7 +107,7 @@ function RobotButton() {
 
 function Driver() {
   if (link.value !== 'up') return null;
-  const others = seat.value.viewers > 1 ? t('viewers', { n: seat.value.viewers - 1 }) : '';
+  const others = youDrive.value && seat.value.viewers > 1 ? t('viewers', { n: seat.value.viewers - 1 }) : '';
   const who = youDrive.value ? t('you_drive') : free.value ? '' : t('watching');
   if (!who && !others) return null;
   return (

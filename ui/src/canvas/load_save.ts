@@ -1,6 +1,6 @@
 /** Between the program's JSON and Blockly's workspace; nothing is lost on the way. */
 import * as Blockly from 'blockly/core';
-import type { Catalog } from '../blocks/pack';
+import { Catalog } from '../blocks/pack';
 import { joinChains, splitChains } from '../model/chains';
 import { hideUnknown, showUnknown } from '../model/placeholders';
 import { type WorkspaceState, eachBlock } from '../model/program';
@@ -12,23 +12,32 @@ function deepCopy(state: WorkspaceState): WorkspaceState {
   return JSON.parse(writeJson(state)) as WorkspaceState;
 }
 
-/** Fills the workspace, whatever it held before. Returns the types of block that are not known here. */
+function fill(workspace: Blockly.Workspace, state: WorkspaceState, catalog: Catalog): string[] {
+  const copy = deepCopy(state);
+  const unknown = hideUnknown(copy, catalog);
+  splitChains(copy);
+  workspace.clear();
+  Blockly.serialization.workspaces.load(copy, workspace, { recordUndo: false });
+  return unknown;
+}
+
+/**
+ * Fills the workspace, whatever it held before. Returns the types of block that are not known here. Blockly throws in the
+ * middle of a program that it cannot connect: then all its blocks become placeholders, so that nothing of it is lost.
+ */
 export function loadWorkspace(
   workspace: Blockly.Workspace,
   state: WorkspaceState,
   catalog: Catalog,
 ): string[] {
-  const copy = deepCopy(state);
-  const unknown = hideUnknown(copy, catalog);
-  splitChains(copy);
   Blockly.Events.disable();
   try {
-    workspace.clear();
-    Blockly.serialization.workspaces.load(copy, workspace, { recordUndo: false });
+    return fill(workspace, state, catalog);
+  } catch {
+    return fill(workspace, state, new Catalog([]));
   } finally {
     Blockly.Events.enable();
   }
-  return unknown;
 }
 
 /** The workspace as it travels and is kept. */

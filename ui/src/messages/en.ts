@@ -62,7 +62,7 @@ export const en = {
   boot_failed: 'The robot does not answer. Is it switched on? Trying again…',
   you_drive: 'You drive',
   free: 'Nobody drives',
-  watching: 'Somebody else drives. You watch.',
+  watching: 'Somebody else drives',
   give_up: 'Let others drive',
   viewers: '{n} watching',
   ask_code: 'Join code, as the robot’s screen shows it',

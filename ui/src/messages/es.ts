@@ -63,7 +63,7 @@ export const es: Record<MessageKey, string> = {
   boot_failed: 'El robot no responde. ¿Está encendido? Lo intento de nuevo…',
   you_drive: 'Tú conduces',
   free: 'Nadie conduce',
-  watching: 'Conduce otra persona. Tú miras.',
+  watching: 'Conduce otra persona',
   give_up: 'Dejar conducir a otros',
   viewers: '{n} mirando',
   ask_code: 'Código de acceso, como lo muestra la pantalla del robot',

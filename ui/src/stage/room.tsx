@@ -2,7 +2,7 @@ import { useComputed } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { t } from '../messages';
 import { editor } from '../state/editor';
-import { free, putBack, telemetry } from '../state/robot';
+import { free, putBack, setup, telemetry } from '../state/robot';
 import type { Point, Scene } from '../wire/protocol';
 import { MotionTrack, type Pose } from './motion_track';
 import { drawActors, drawRoom } from './room_draw';
@@ -110,7 +110,7 @@ export function Room() {
     return scene ? t('contacts_path', { n: scene.contacts, m: scene.path_m.toFixed(1) }) : '';
   });
   const touching = useComputed(() => telemetry.value?.scene?.robot.contact ?? false);
-  const bare = useComputed(() => telemetry.value !== null && telemetry.value.scene === null);
+  const bare = useComputed(() => setup.value?.simulated === false && telemetry.value?.scene === null);
   useEffect(() => {
     const painter = new RoomPainter(canvas.current!, bubble.current!);
     const unsubscribe = telemetry.subscribe(() => painter.update());

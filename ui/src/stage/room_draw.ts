@@ -156,7 +156,7 @@ function drawBody(pen: Pen, view: RoomView, pose: Pose, robot: Scene['robot']): 
   pen.stroke();
   pen.fill();
   pen.rotate(-pose.pan_deg * turn);
-  const reach = Math.max(5, 0.07 * s);
+  const reach = Math.max(4, 0.06 * s);
   disc(pen, 0, 0, reach * 0.75);
   pen.fillStyle = '#ffffff';
   pen.fill();

@@ -13,6 +13,7 @@ export const projectName = signal('');
 export const saveState = signal<SaveState>('saved');
 
 const quiet = 400;
+const again = 5000;
 const openKey = 'mirada.project';
 const rescueKey = 'mirada.rescue';
 
@@ -87,6 +88,8 @@ export class Keeper {
     } catch {
       this.dirty = true;
       saveState.value = 'failed';
+      window.clearTimeout(this.timer);
+      this.timer = window.setTimeout(() => void this.flush(), again);
     }
   }
 
@@ -117,12 +120,22 @@ export function emptyProject(name: string): Project {
   return { id: newUuid(), name, version: 0, saved_ms: 0, text: '' };
 }
 
+function readRescue(text: string): Project | null {
+  try {
+    const { project } = JSON.parse(text) as Rescue;
+    return 'program' in readProgram(project.text, project.name) ? project : null;
+  } catch {
+    return null;
+  }
+}
+
 /** What the last page could not finish writing, put where it belongs. True when something was recovered. */
 export async function recover(store: ProjectStore): Promise<boolean> {
   const text = localStorage.getItem(rescueKey);
   if (!text) return false;
   localStorage.removeItem(rescueKey);
-  const { project } = JSON.parse(text) as Rescue;
+  const project = readRescue(text);
+  if (!project) return false;
   const there = await store.load(project.id);
   if (there?.text === project.text) return false;
   const kept = await store.keep(project, (name) => t('copy_name', { name }));
