@@ -2,8 +2,8 @@
 #include <cstdint>
 
 // The codes of OpenCV's predefined ArUco dictionaries DICT_4X4_250, 5X5_250 and 6X6_250 (opencv_contrib 4.6,
-// Apache-2.0), the marks that printed ChArUco boards bear. Bits row by row from the top left, the first highest;
-// 1 = white.
+// Apache-2.0), the marks that printed ChArUco boards bear. Bits row by row from the top left, the first
+// highest; 1 = white.
 namespace mirada::vision {
 
 // clang-format off
