@@ -14,6 +14,8 @@ int main(int argc, char** argv) {
   mirada::add_serve(commands);
   mirada::add_see(commands);
   mirada::add_calibrate(commands);
+  mirada::add_mount(commands);
+  mirada::add_lab(commands);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& wrong) {
