@@ -10,6 +10,8 @@ struct Commands {
 };
 
 void add_run(Commands& commands);
+void add_check(Commands& commands);
+void add_disasm(Commands& commands);
 void add_serve(Commands& commands);
 void add_see(Commands& commands);
 void add_calibrate(Commands& commands);

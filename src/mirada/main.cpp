@@ -11,6 +11,8 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   mirada::Commands commands{app};
   mirada::add_run(commands);
+  mirada::add_check(commands);
+  mirada::add_disasm(commands);
   mirada::add_serve(commands);
   mirada::add_see(commands);
   mirada::add_calibrate(commands);
