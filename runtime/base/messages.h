@@ -15,9 +15,9 @@ inline constexpr Message file_not_written{"file_not_written", "I can't write {fi
                                           "No puedo escribir {file}: {reason}."};
 inline constexpr Message json_broken{"json_broken", "This is not whole JSON: it breaks at byte {byte}.",
                                      "Esto no es JSON completo: se rompe en el byte {byte}."};
-inline constexpr Message json_number_too_large{"json_number_too_large",
-                                               "A number in this JSON is too large to hold. Make it smaller.",
-                                               "Un número de este JSON es demasiado grande. Hazlo más pequeño."};
+inline constexpr Message json_number_too_large{
+    "json_number_too_large", "A number in this JSON is too large to hold. Make it smaller.",
+    "Un número de este JSON es demasiado grande. Hazlo más pequeño."};
 inline constexpr Message object_needed{"object_needed", "{field} must be an object in braces, not {value}.",
                                        "{field} debe ser un objeto entre llaves, no {value}."};
 inline constexpr Message array_needed{"array_needed",

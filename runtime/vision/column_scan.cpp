@@ -6,7 +6,7 @@
 namespace mirada::vision {
 namespace {
 
-constexpr int kAlarm = 6;            // evidence for "not floor" that stops the walk
+constexpr int kWalkAlarm = 6;        // evidence for "not floor" that stops the walk
 constexpr int kRowsPastHorizon = 6;  // the floor's look so far above the horizon is no floor
 constexpr int kFootRows = 12;
 
@@ -62,7 +62,7 @@ ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& sta
       evidence += odd;
     }
     if (row >= span.bottom_row - kFootRows && evidence == 0) foot_ = floor_.look();
-    if (evidence < kAlarm) continue;
+    if (evidence < kWalkAlarm) continue;
     const Verdict verdict = judge(column, first_odd, top);
     if (!verdict.floor_goes_on) return refined(column, verdict.row, span);
     row = verdict.row;
@@ -100,7 +100,7 @@ ColumnResult ColumnScan::from_above(int column, const ColumnSpan& span, int top)
       if (evidence == 0) first_odd = row;
       evidence += 2 * odd;
     }
-    if (evidence < 2 * kAlarm) continue;
+    if (evidence < 2 * kWalkAlarm) continue;
     ColumnResult result = refined(column, first_odd - 1, span);
     result.sigma_row = std::max(result.sigma_row, 1.5);
     return result;

@@ -27,7 +27,7 @@ class ServerTest : public testing::Test {
 
   FakeStation station_;
   packs::PackSet packs_;
-  SteadyClock clock_;
+  ManualClock clock_;  ///< stands still: nobody is silent for too long on a slow machine
   std::unique_ptr<Server> server_;
 };
 

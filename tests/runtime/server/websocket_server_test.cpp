@@ -164,13 +164,10 @@ TEST_F(WebSocketServerTest, a_viewer_who_does_not_read_loses_pictures_and_nothin
 TEST_F(WebSocketServerTest, a_client_that_takes_no_answers_is_closed) {
   RawClient deaf = connect(4096);
   ASSERT_TRUE(deaf.hello("deaf"));
-  constexpr int kStops = 50'000;
   const std::string stop = RawClient::frame(1, R"({"type":"stop"})");
-  for (int i = 0; i < kStops && deaf.send(stop); ++i) {
-  }
-  int answers = 0;
-  while (!deaf.wait_for("stopped").is_null()) ++answers;
-  EXPECT_LT(answers, kStops);
+  bool taken = true;
+  for (int i = 0; i < 10'000'000 && taken; ++i) taken = deaf.send(stop);
+  EXPECT_FALSE(taken);
   EXPECT_TRUE(alive());
 }
 
@@ -194,6 +191,7 @@ TEST_F(WebSocketServerTest, viewers_come_and_go_while_the_robot_works) {
         station_.answer_all(vm::MonitorValue{"1", true, 1, false});
         EXPECT_FALSE(client.wait_for("telemetry").is_null());
         EXPECT_EQ(RawClient::status(connect().ask("POST", "/api/stop")), 204);
+        client.text(R"({"type":"stop"})");
         EXPECT_FALSE(client.wait_for("stopped").is_null());
       }
     });
@@ -201,7 +199,7 @@ TEST_F(WebSocketServerTest, viewers_come_and_go_while_the_robot_works) {
   for (std::thread& person : people) person.join();
   done = true;
   robot.join();
-  EXPECT_GE(station_.stops, 20);
+  EXPECT_GE(station_.stops, 40);
 }
 
 TEST_F(WebSocketServerTest, closing_the_server_ends_all_and_late_answers_find_nobody) {

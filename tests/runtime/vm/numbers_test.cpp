@@ -1,0 +1,54 @@
+#include "vm/numbers.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "vm/catalog.h"
+
+namespace mirada::vm {
+namespace {
+
+TEST(Numbers, ArePrintedAsJavaScriptPrintsThem) {
+  EXPECT_EQ(number_to_string(1e21), "1e+21");
+  EXPECT_EQ(number_to_string(123456789012345680000.0), "123456789012345680000");
+  EXPECT_EQ(number_to_string(1e-7), "1e-7");
+  EXPECT_EQ(number_to_string(-0.0), "0");
+  EXPECT_EQ(number_to_string(0.1 + 0.2), "0.30000000000000004");
+  EXPECT_EQ(number_to_string(std::numeric_limits<double>::infinity()), "Infinity");
+}
+
+TEST(Numbers, AreReadAsJavaScriptReadsThem) {
+  EXPECT_EQ(string_to_number("0x1F"), 31);
+  EXPECT_EQ(string_to_number(" 5. "), 5);
+  EXPECT_EQ(string_to_number(""), 0);
+  EXPECT_TRUE(std::isnan(string_to_number("1,000")));
+  EXPECT_TRUE(std::isnan(string_to_number("infinity")));
+}
+
+TEST(Numbers, ModuloHasTheDivisorsSign) {
+  EXPECT_EQ(modulo(-7, 3), 2);
+  EXPECT_EQ(modulo(7, -3), -2);
+  EXPECT_DOUBLE_EQ(modulo(5.5, 2), 1.5);
+  EXPECT_TRUE(std::isnan(modulo(1, 0)));
+}
+
+TEST(Numbers, HalvesAreRoundedUp) {
+  EXPECT_EQ(round_half_up(-2.5), -2);
+  EXPECT_EQ(round_half_up(2.5), 3);
+  EXPECT_EQ(round_half_up(0.49999999999999994), 0);
+}
+
+TEST(BlockCatalog, RefusesAnOpcodeTwice) {
+  BlockCatalog catalog;
+  BlockDef def;
+  def.opcode = "dance_spin";
+  EXPECT_TRUE(catalog.add(def));
+  EXPECT_FALSE(catalog.add(def));
+  EXPECT_NE(catalog.find("dance_spin"), nullptr);
+  EXPECT_EQ(catalog.find("dance_jump"), nullptr);
+}
+
+}  // namespace
+}  // namespace mirada::vm
