@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { after, afterEach, before, beforeEach, describe, test } from 'node:test';
 import { blockBox, drag, launch, on, openPage } from './support/browser.mjs';
 import { FakeRobot, origin } from './support/fake_robot.mjs';
+import { chainOf, longProgram } from './support/long_program.mjs';
 
 const folder = mkdtempSync(join(tmpdir(), 'mirada-e2e-'));
 const blockText = async (page, id) =>
@@ -48,32 +49,7 @@ const wait = (id, seconds = 1) => ({
   inputs: { DURATION: { shadow: { type: 'math_number', id: `${id}s`, fields: { NUM: seconds } } } },
 });
 
-/** A stack so long that JSON.stringify cannot write it. */
-function longProgram(n) {
-  const parts = [
-    '{"format":"mirada-program","version":1,"name":"Long","packs":[],"workspace":{"blocks":{"languageVersion":0,',
-  ];
-  parts.push('"blocks":[{"type":"event_whenflagclicked","id":"hat","x":20,"y":20');
-  for (let i = 1; i < n; i++) {
-    const shadow = `{"type":"math_number","id":"s${i}","fields":{"NUM":${i % 10}}}`;
-    parts.push(
-      `,"next":{"block":{"type":"control_wait","id":"w${i}","inputs":{"DURATION":{"shadow":${shadow}}}`,
-    );
-  }
-  return `${parts.join('')}${'}}'.repeat(n - 1)}}]},"variables":[]}}`;
-}
-
-function chainOf({ workspace }) {
-  assert.equal(workspace.blocks.blocks.length, 1);
-  const chain = [];
-  for (let block = workspace.blocks.blocks[0]; block; block = block.next?.block) {
-    const seconds = block.inputs?.DURATION.shadow.fields.NUM;
-    chain.push([block.type, block.id, seconds].filter((part) => part !== undefined).join(' '));
-  }
-  return chain;
-}
-
-describe('the editor', { timeout: 240_000 }, () => {
+describe('the editor', { timeout: 900_000 }, () => {
   let browser;
   let page;
   let robot;

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, afterEach, before, beforeEach, describe, test } from 'node:test';
 import { blockBox, drag, launch, on, openPage } from './support/browser.mjs';
+import { longProgram } from './support/long_program.mjs';
 import { RealRobot, listen, until } from './support/real_robot.mjs';
 
 const still = ({ wheels }) => wheels.left_mps === 0 && wheels.right_mps === 0;
@@ -27,7 +28,7 @@ async function dragFromToolbox(page, category, type, corner) {
   await page.waitForTimeout(300);
 }
 
-describe('first light', { timeout: 240_000 }, () => {
+describe('first light', { timeout: 600_000 }, () => {
   let browser;
   let robot;
   let page;
@@ -141,6 +142,18 @@ describe('first light', { timeout: 240_000 }, () => {
     await page.locator(`${on.block('grab')}.mirada-fault`).waitFor();
     await page.locator('.blocklyBubble').first().waitFor();
     assert.equal(heard.telemetry?.state ?? 'idle', 'idle');
+  });
+
+  test('5,000 blocks in one stack travel to the robot and run', async () => {
+    const buffer = Buffer.from(longProgram(5000));
+    await page.setInputFiles('input[type=file]', { name: 'long.json', mimeType: 'application/json', buffer });
+    await page.locator(on.block('w4999')).first().waitFor({ state: 'attached', timeout: 120_000 });
+    await page.click(on.flag);
+    await until('a running program', () => heard.telemetry?.state === 'running', 60);
+    const answer = heard.messages.find(({ type }) => type === 'started' || type === 'refused');
+    assert.deepEqual({ type: answer.type, warnings: answer.warnings }, { type: 'started', warnings: [] });
+    await page.click(on.stop);
+    await until('rest', () => heard.telemetry.state === 'idle', 5);
   });
 
   test('a clicked reporter shows its value from the robot', async () => {
