@@ -111,8 +111,7 @@ void Running::finish(double seconds, bool back_to_back) {
 std::string Running::list(const std::string& name) const {
   std::string out;
   const auto lists = machine->lists(200'000);
-  for (const MonitorValue& item : lists.at(name))
-    out += (out.empty() ? "" : " ") + item.text;
+  for (const MonitorValue& item : lists.at(name)) out += (out.empty() ? "" : " ") + item.text;
   return out;
 }
 
