@@ -199,7 +199,9 @@ TEST_F(WebSocketServerTest, viewers_come_and_go_while_the_robot_works) {
   for (std::thread& person : people) person.join();
   done = true;
   robot.join();
-  EXPECT_GE(station_.stops, 40);
+  // A visitor may leave on another one's "stopped" before its own Stop is read; those by POST are all
+  // answered.
+  EXPECT_GE(station_.stops, 20);
 }
 
 TEST_F(WebSocketServerTest, closing_the_server_ends_all_and_late_answers_find_nobody) {
