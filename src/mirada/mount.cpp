@@ -168,7 +168,7 @@ Result<vision::TagSighting> the_tag(const Job& job, const MountOptions& options)
   }
   if (fitting.size() == 1) return fitting.front();
   if (!fitting.empty()) return make_fault(options.image, messages::mount_many_tags, {{"seen", seen}});
-  const std::string which = options.tag_id < 0 ? "" : std::to_string(options.tag_id) + " ";
+  const std::string which = options.tag_id < 0 ? "" : "(" + std::to_string(options.tag_id) + ") ";
   return make_fault(options.image, messages::mount_no_tag, {{"which", which}});
 }
 

@@ -20,6 +20,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFarthest_m = 100;
+constexpr std::uintmax_t kMaxPictureFile_bytes = 256u << 20;
 constexpr double kBearingMatch_rad = rad(0.51);
 
 KnownBearing read_bearing(JsonReader& json) {
@@ -56,6 +57,20 @@ Result<RobotConfig> find_robot(const std::string& name, const std::filesystem::p
   std::error_code error;
   if (std::filesystem::exists(folder / name, error)) return load_robot(folder / name);
   return robot_by_name(name);
+}
+
+Result<cv::Mat> read_picture_file(const std::filesystem::path& file) {
+  auto bytes = read_file(file, kMaxPictureFile_bytes);
+  if (!bytes) return bytes.faults();
+  cv::Mat bgr;
+  try {
+    const cv::Mat raw(1, static_cast<int>(bytes->size()), CV_8UC1, bytes->data());
+    if (!bytes->empty()) bgr = cv::imdecode(raw, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
+  } catch (const cv::Exception&) {
+    bgr.release();
+  }
+  if (bgr.empty()) return make_fault(file.string(), messages::lab_no_picture);
+  return bgr;
 }
 
 const SonarReading* nearest_reading(const SonarPercept& seen, double bearing_rad) {
@@ -148,15 +163,12 @@ Result<std::vector<LabSample>> look_at_pictures(const std::vector<KnownPicture>&
     }
     Watcher& watcher = watchers[name];
     if (!watcher.sonar) continue;
-    try {
-      frame.bgr = cv::imread(picture.image.string(), cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
-    } catch (const cv::Exception&) {
-      frame.bgr.release();
-    }
-    if (frame.bgr.empty()) {
-      faults.push_back(make_fault(picture.image.string(), messages::lab_no_picture));
+    auto bgr = read_picture_file(picture.image);
+    if (!bgr) {
+      faults.insert(faults.end(), bgr.faults().begin(), bgr.faults().end());
       continue;
     }
+    frame.bgr = std::move(*bgr);
     if (picture.sequence.empty() || picture.sequence != watcher.sequence) watcher.sonar->forget();
     watcher.sequence = picture.sequence;
     ++frame.number;

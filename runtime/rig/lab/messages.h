@@ -12,8 +12,8 @@ inline constexpr Message lab_no_bearings{"lab_no_bearings",
                                          "{field} está vacío: pon al menos una dirección conocida."};
 inline constexpr Message lab_no_pictures{"lab_no_pictures", "{field} must list at least one picture.",
                                          "{field} debe tener al menos una imagen."};
-inline constexpr Message lab_no_picture{"lab_no_picture", "There is no picture here that I can read.",
-                                        "Aquí no hay una imagen que pueda leer."};
+inline constexpr Message lab_no_picture{"lab_no_picture", "This is no picture that I can read.",
+                                        "No es una imagen que pueda leer."};
 inline constexpr Message lab_choice{"lab_choice", "I don't know {value}. Choose from {known}.",
                                     "No conozco {value}. Elige entre {known}."};
 

@@ -56,20 +56,19 @@ double median_spacing_px(const std::vector<cv::Point2f>& corners, int columns) {
   return spacings[spacings.size() / 2];
 }
 
+/// Blur also makes stripes of squares, so it comes first and alone.
 Faults check_print(const PrintQuality& quality, cv::Size size, double square_px, const std::string& image) {
-  Faults faults;
   const double widest = widest_edge_px(size, square_px);
   if (quality.edge_width_px > widest) {
-    faults.push_back(
-        make_fault(image, messages::board_blurred,
-                   {{"value", number_text(quality.edge_width_px, 1)}, {"max", number_text(widest, 1)}}));
+    return {make_fault(image, messages::board_blurred,
+                       {{"value", number_text(quality.edge_width_px, 1)}, {"max", number_text(widest, 1)}})};
   }
   if (quality.roughness > kRoughest) {
-    faults.push_back(make_fault(
+    return {make_fault(
         image, messages::board_from_screen,
-        {{"value", number_text(100 * quality.roughness, 1)}, {"max", number_text(100 * kRoughest, 1)}}));
+        {{"value", number_text(100 * quality.roughness, 1)}, {"max", number_text(100 * kRoughest, 1)}})};
   }
-  return faults;
+  return {};
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ constexpr double kMostFocalSigma = 0.01;
 constexpr double kMostOffCentre = 0.15;
 constexpr double kLeastPixelRatio = 0.9;
 constexpr double kMostPixelRatio = 1.1;
+constexpr double kTellingTolerance = 0.1;  ///< a sheet vaguer than this fits nearly every camera
 
 void check_views(const Calibration& c, Faults& faults) {
   if (c.views.size() < static_cast<std::size_t>(kFewestViews)) {
@@ -107,6 +108,8 @@ Faults distrust(const Calibration& calibration) {
   Faults faults;
   check_views(calibration, faults);
   check_coverage(calibration, faults);
+  // What a lens comes to from a handful of pictures is worth no sentence.
+  if (calibration.views.size() < static_cast<std::size_t>(kFewestViews)) return faults;
   check_errors(calibration, faults);
   check_lens(calibration, faults);
   return faults;
@@ -127,6 +130,7 @@ Faults check_datasheet(const Calibration& calibration, const CameraPreset& prese
                                {"camera", preset.name_en},
                                {"wanted", number_text(deg(mode->hfov_rad), 1)}})};
   for (const CameraPreset& other : others) {
+    if (other.tolerance > kTellingTolerance) continue;
     const CameraMode* fitting = other.nearest_mode(camera.width_px, camera.height_px, hfov_rad);
     if (other.id == preset.id || !fitting || !other.agrees(*fitting, hfov_rad)) continue;
     faults.push_back(make_fault("camera", messages::view_fits_other, {{"camera", other.name_en}}));

@@ -93,9 +93,8 @@ PictureSet read_pictures(const std::vector<std::filesystem::path>& files, const 
   PictureSet out;
   for (Looked& one : all) {
     if (!one.size_px.empty() && one.size_px != size) {
-      one.faults.insert(one.faults.begin(),
-                        make_fault(one.image, messages::picture_other_size,
-                                   {{"value", size_text(one.size_px)}, {"wanted", size_text(size)}}));
+      one.faults = {make_fault(one.image, messages::picture_other_size,
+                               {{"value", size_text(one.size_px)}, {"wanted", size_text(size)}})};
     } else if (one.view) {
       out.views.push_back(std::move(*one.view));
     }

@@ -174,7 +174,7 @@ TEST_F(LabFolder, EveryFaultOfTruthJsonComesAtOnce) {
   const auto samples = look_at_pictures(*named, "mirada-sim", folder_, {});
   ASSERT_FALSE(samples);
   EXPECT_THAT(to_text(samples.faults(), Lang::en), HasSubstr("I don't know the robot nobody"));
-  EXPECT_THAT(to_text(samples.faults(), Lang::en), HasSubstr("no picture here"));
+  EXPECT_THAT(to_text(samples.faults(), Lang::en), HasSubstr("There is no file"));
 }
 
 TEST(LabDistances, ScoresEveryDegreeOfARoomAndIsDeterministic) {

@@ -98,6 +98,7 @@ TEST(CalibrateFromPhotographs, PicturesOfAnotherSizeAndFilesThatAreNoneAreNamed)
   files.push_back(kPhotographs / "none.jpg");
   const PictureSet set = read_pictures(files, board_9x6());
   EXPECT_EQ(set.views.size(), 3u);
+  EXPECT_EQ(set.refused.size(), 3u) << "one sentence a picture";
   const std::string text = to_text(set.refused, Lang::en);
   EXPECT_THAT(text, HasSubstr("left.jpg: This picture is 612x459, most are 640x480"));
   EXPECT_THAT(text, HasSubstr("letter-recognition.data: This is no picture"));
