@@ -1,5 +1,6 @@
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +10,7 @@
 #include "commands.h"
 #include "lab_messages.h"
 #include "rig/lab/lab_distances.h"
+#include "rig/lab/lab_keep.h"
 #include "rig/lab/lab_pictures.h"
 #include "rig/lab/lab_score.h"
 #include "rig/lab/messages.h"
@@ -28,6 +30,7 @@ struct LabOptions {
   std::string robot;
   bool mount_errors = false;
   std::string folder;
+  std::string keep;
   std::string floor_method = "learnt";
   bool lines_are_obstacles = false;
   bool json = false;
@@ -133,10 +136,20 @@ int distances(const LabOptions& options) {
   plan.exact_mount = !options.mount_errors;
   plan.sonar = options.sonar();
   const bool show = isatty(STDERR_FILENO) != 0;
-  const auto samples = rig::look_at_rooms(plan, [&](int done, int all) {
-    if (show) fmt::print(stderr, "\r{}/{} ", done, all);
-  });
+  std::optional<rig::LabKeeper> keeper;
+  if (!options.keep.empty()) keeper.emplace(options.keep, rig::told_robot(plan));
+  const auto samples = rig::look_at_rooms(
+      plan,
+      [&](int done, int all) {
+        if (show) fmt::print(stderr, "\r{}/{} ", done, all);
+      },
+      [&](const rig::LabShot& shot) {
+        if (keeper) keeper->add(shot);
+      });
   if (show) fmt::print(stderr, "\r");
+  if (keeper) {
+    if (const Status kept = keeper->finish(); !kept) return refuse(kept.faults(), options);
+  }
   report(samples, options);
   return 0;
 }
@@ -178,6 +191,7 @@ void add_distances(CLI::App& lab, const std::shared_ptr<LabOptions>& options, Co
   app->add_option("--first-seed", options->first_seed, "The first room's seed")->capture_default_str();
   app->add_flag("--mount-errors", options->mount_errors,
                 "Tilt, height and pan are off by chance as the robot's file says (otherwise exactly known)");
+  app->add_option("--keep", options->keep, "Write the pictures and their truth.json into this folder");
   add_common(*app, *options);
   app->callback([options, &commands] { commands.exit_code = distances(*options); });
 }

@@ -34,11 +34,6 @@ RobotConfig as_it_stands(const RobotConfig& told, Random& random) {
   return out;
 }
 
-RobotConfig without_doubt(RobotConfig robot) {
-  robot.mount.sigma_tilt_rad = robot.mount.sigma_height_m = robot.mount.sigma_pan_rad = 0;
-  return robot;
-}
-
 bool in_picture(const CameraModel& camera, const std::optional<Eigen::Vector2d>& pixel) {
   return pixel && pixel->x() >= 0 && pixel->y() >= 0 && pixel->x() <= camera.width_px - 1 &&
          pixel->y() <= camera.height_px - 1;
@@ -74,10 +69,12 @@ void score_percept(const Room& room, const Pose2& X_WR, const NeckAngles& neck, 
   }
 }
 
-void look_at_room(const Room& room, std::uint64_t seed, std::vector<LabSample>& out) {
+void look_at_room(const Room& room, std::uint64_t seed, const std::function<void(const LabShot&)>& on_shot,
+                  std::vector<LabSample>& out) {
+  const std::string name =
+      std::string(to_string(room.floor)) + "-" + to_string(room.light) + "-" + std::to_string(seed);
   world::Renderer renderer(room.lab.world, room.real.camera, seed);
-  const RobotConfig& told = room.plan.robot;
-  vision::VisualSonar sonar(room.plan.exact_mount ? without_doubt(told) : told, room.plan.sonar);
+  vision::VisualSonar sonar(told_robot(room.plan), room.plan.sonar);
   Frame frame;
   for (const Pose2& X_WR : room.lab.stands) {
     for (const double pan_rad : kPans_rad) {
@@ -86,7 +83,10 @@ void look_at_room(const Room& room, std::uint64_t seed, std::vector<LabSample>& 
                                   static_cast<std::int64_t>(frame.number) + 1);
       ++frame.number;
       frame.t_exposure += 500 * kMillisecond;
-      score_percept(room, X_WR, neck, sonar.look(frame, neck, X_WR), out);
+      LabShot shot{name + "-" + std::to_string(frame.number), name, frame.bgr, neck, {}};
+      score_percept(room, X_WR, neck, sonar.look(frame, neck, X_WR), shot.samples);
+      if (on_shot) on_shot(shot);
+      out.insert(out.end(), shot.samples.begin(), shot.samples.end());
     }
   }
 }
@@ -102,6 +102,14 @@ RobotConfig lab_robot() {
   robot.neck.pan = {rad(-80), rad(80), 5};
   robot.mount.p_TM_m = {0.05, 0, 0.2};
   robot.mount.tilt_rad = rad(22);
+  return robot;
+}
+
+RobotConfig told_robot(const LabPlan& plan) {
+  RobotConfig robot = plan.robot;
+  if (plan.exact_mount) {
+    robot.mount.sigma_tilt_rad = robot.mount.sigma_height_m = robot.mount.sigma_pan_rad = 0;
+  }
   return robot;
 }
 
@@ -141,7 +149,8 @@ std::vector<double> paper_readings(const RobotConfig& robot, const CameraModel& 
 }
 
 std::vector<LabSample> look_at_rooms(const LabPlan& plan,
-                                     const std::function<void(int done, int all)>& on_room) {
+                                     const std::function<void(int done, int all)>& on_room,
+                                     const std::function<void(const LabShot&)>& on_shot) {
   std::vector<LabSample> out;
   const int all = static_cast<int>(plan.floors.size() * plan.lights.size()) * plan.seeds;
   int done = 0;
@@ -153,7 +162,7 @@ std::vector<LabSample> look_at_rooms(const LabPlan& plan,
         LabRoom lab = lab_room(floor, light, seed);
         LabTruth truth(lab.world);
         const RobotConfig real = plan.exact_mount ? plan.robot : as_it_stands(plan.robot, random);
-        look_at_room({plan, floor, light, std::move(lab), std::move(truth), real}, seed, out);
+        look_at_room({plan, floor, light, std::move(lab), std::move(truth), real}, seed, on_shot, out);
         if (on_room) on_room(++done, all);
       }
     }

@@ -14,6 +14,8 @@ inline constexpr Message lab_no_pictures{"lab_no_pictures", "{field} must list a
                                          "{field} debe tener al menos una imagen."};
 inline constexpr Message lab_no_picture{"lab_no_picture", "This is no picture that I can read.",
                                         "No es una imagen que pueda leer."};
+inline constexpr Message lab_no_folder{"lab_no_folder", "I can't make this folder: {reason}.",
+                                       "No puedo crear esta carpeta: {reason}."};
 inline constexpr Message lab_choice{"lab_choice", "I don't know {value}. Choose from {known}.",
                                     "No conozco {value}. Elige entre {known}."};
 

@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "base/units.h"
 #include "rig/lab/lab_distances.h"
+#include "rig/lab/lab_keep.h"
 #include "rig/lab/lab_pictures.h"
 #include "rig/lab/lab_score.h"
 #include "rig/lab/lab_truth.h"
@@ -156,6 +157,27 @@ TEST_F(LabFolder, ARenderedPictureIsScoredAgainstItsTruth) {
   }
 }
 
+TEST_F(LabFolder, KeptPicturesScoreAsTheyDidWhenTheyWereRendered) {
+  LabPlan plan;
+  plan.floors = {world::FloorKind::tiles};
+  plan.lights = {LabLight::side};
+  plan.seeds = 1;
+  plan.robot = lab_robot();
+  LabKeeper keeper(folder_ / "kept", told_robot(plan));
+  const auto rendered = look_at_rooms(plan, {}, [&](const LabShot& shot) { keeper.add(shot); });
+  ASSERT_TRUE(keeper.finish());
+  const auto pictures = read_truth(folder_ / "kept");
+  ASSERT_TRUE(pictures) << to_text(pictures.faults(), Lang::en);
+  const auto read = look_at_pictures(*pictures, "", folder_ / "kept", {});
+  ASSERT_TRUE(read) << to_text(read.faults(), Lang::en);
+  ASSERT_EQ(read->size(), rendered.size());
+  const LabScore a = score_tables(rendered).front().rows.front();
+  const LabScore b = score_tables(*read).front().rows.front();
+  EXPECT_NEAR(a.median_error, b.median_error, 2e-4);
+  EXPECT_NEAR(a.missed, b.missed, 0.01);
+  EXPECT_NEAR(a.within_95, b.within_95, 0.02);
+}
+
 TEST_F(LabFolder, EveryFaultOfTruthJsonComesAtOnce) {
   write_truth(R"({"pictures": [{"image": 5, "pan_deg": 999, "bearings": [{"bearing_deg": 0}]},
       {"image": "b.png", "bearings": []}]})");
@@ -183,10 +205,12 @@ TEST(LabDistances, ScoresEveryDegreeOfARoomAndIsDeterministic) {
   plan.lights = {LabLight::even};
   plan.seeds = 1;
   plan.robot = lab_robot();
-  const auto first = look_at_rooms(plan);
+  std::size_t shots = 0;
+  const auto first = look_at_rooms(plan, {}, [&](const LabShot& shot) { shots += !shot.samples.empty(); });
   const auto second = look_at_rooms(plan);
   ASSERT_GT(first.size(), 500u);
   ASSERT_EQ(first.size(), second.size());
+  EXPECT_GE(shots, 3u);
   for (std::size_t i = 0; i < first.size(); ++i) {
     EXPECT_EQ(first[i].truth_m, second[i].truth_m);
     EXPECT_EQ(first[i].reading.answer, second[i].reading.answer);
