@@ -1,13 +1,12 @@
 #include "rig/live_robot.h"
 
+#include "rig/beat.h"
 #include "rig/camera_choice.h"
 #include "rig/detectors.h"
 
 namespace mirada::rig {
 namespace {
 
-constexpr Micros kWorldStep = 10 * kMillisecond;
-constexpr Micros kTick = 20 * kMillisecond;
 constexpr Micros kMostBehind = 60 * kMillisecond;
 
 session::SessionOptions session_options(const LiveParts& parts) {

@@ -3,6 +3,7 @@
 #include <opencv2/core.hpp>
 
 #include "base/clock.h"
+#include "rig/beat.h"
 #include "rig/detectors.h"
 #include "rig/ideal_body.h"
 #include "rig/shipped_packs.h"
@@ -12,8 +13,6 @@
 namespace mirada::rig {
 namespace {
 
-constexpr Micros kWorldStep = 10 * kMillisecond;
-constexpr Micros kTick = 20 * kMillisecond;
 constexpr std::size_t kMostListItems = 200'000;
 
 /// What moves and sees: a simulated room, or an ideal body in none.

@@ -11,7 +11,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kBeyond_m = 0.030;
-constexpr Micros kFree = kSecond;
+constexpr Micros kFreeOfLine = kSecond;
 
 /// How far a convex polygon reaches over a segment: the smaller of its two sides' extents, over the stretch
 /// that lies beside the segment. Negative when it does not straddle it.
@@ -69,7 +69,7 @@ void LineWatch::look(const Pose2& X_WR, Micros now) {
     if (over > kBeyond_m + w.line.width_m / 2 && !w.counted) {
       ++crossings_;
       w.counted = true;
-    } else if (over <= 0 && w.counted && now - w.last_on >= kFree) {
+    } else if (over <= 0 && w.counted && now - w.last_on >= kFreeOfLine) {
       w.counted = false;
     }
   }

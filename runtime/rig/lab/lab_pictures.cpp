@@ -21,7 +21,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFarthest_m = 100;
 constexpr std::uintmax_t kMaxPictureFile_bytes = 256u << 20;
-constexpr double kBearingMatch_rad = rad(0.51);
+constexpr double kPictureMatch_rad = rad(0.51);
 
 KnownBearing read_bearing(JsonReader& json) {
   json.only({"bearing_deg", "distance_m", "clear_m"});
@@ -75,7 +75,7 @@ Result<cv::Mat> read_picture_file(const std::filesystem::path& file) {
 
 const SonarReading* nearest_reading(const SonarPercept& seen, double bearing_rad) {
   const SonarReading* best = nullptr;
-  double best_rad = kBearingMatch_rad;
+  double best_rad = kPictureMatch_rad;
   for (const SonarReading& reading : seen.readings) {
     const double off_rad = std::abs(wrap_rad(reading.bearing_rad - bearing_rad));
     if (off_rad >= best_rad) continue;

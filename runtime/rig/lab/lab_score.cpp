@@ -10,17 +10,17 @@
 namespace mirada::rig {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoShare = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSigmas95 = 1.96;
 
 double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return kNone;
+  if (values.empty()) return kNoShare;
   const auto at = static_cast<std::ptrdiff_t>(std::lround(share * static_cast<double>(values.size() - 1)));
   std::nth_element(values.begin(), values.begin() + at, values.end());
   return values[static_cast<std::size_t>(at)];
 }
 
-double share(int part, int whole) { return whole > 0 ? static_cast<double>(part) / whole : kNone; }
+double share(int part, int whole) { return whole > 0 ? static_cast<double>(part) / whole : kNoShare; }
 
 bool answered(const SonarReading& reading) {
   return reading.answer == Answer::blocked || reading.answer == Answer::clear;
