@@ -18,7 +18,7 @@ Slot& reg(Slot* frame, Slot* globals, std::int32_t operand) {
 #define HOT_HANDLER(name)                                                             \
   template <bool kA, bool kB, bool kC>                                                \
   const Instr* hot_##name([[maybe_unused]] const Instr* at, [[maybe_unused]] Slot* f, \
-                          [[maybe_unused]] Slot* g, Turn& t)
+                          [[maybe_unused]] Slot* g, [[maybe_unused]] Turn& t)
 #define A (reg<kA>(f, g, at->a).n)
 #define B (reg<kB>(f, g, at->b).n)
 #define C (reg<kC>(f, g, at->c).n)
