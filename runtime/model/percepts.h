@@ -38,11 +38,13 @@ struct SonarPercept {
   bool floor_model_trusted = false;
 };
 
-/// Box in source pixels, top-left origin; bearing of its middle from the robot's origin, positive left.
+/// Box in source pixels, top-left origin; bearing of its middle from the robot's origin, positive left, and
+/// its elevation above the lens's own height, positive up.
 struct FacePercept {
   double x_px = 0, y_px = 0, w_px = 0, h_px = 0;
   double score = 0;
   double bearing_rad = 0;
+  double elevation_rad = 0;
 };
 
 struct FacesPercept {

@@ -5,13 +5,26 @@
 namespace mirada::robot {
 
 double Gaze::pan_to(double pan_rad) {
-  const double aim_rad = std::clamp(pan_rad, config_.pan.min_rad, config_.pan.max_rad);
-  if (neck_ != nullptr) neck_->aim({aim_rad, neck_->state().angles.tilt_rad});
-  return aim_rad;
+  target_.pan_rad = std::clamp(pan_rad, config_.pan.min_rad, config_.pan.max_rad);
+  if (neck_ != nullptr) neck_->aim(target_);
+  return target_.pan_rad;
+}
+
+double Gaze::tilt_to(double tilt_rad) {
+  target_.tilt_rad = std::clamp(tilt_rad, config_.tilt.min_rad, config_.tilt.max_rad);
+  if (neck_ != nullptr) neck_->aim(target_);
+  return target_.tilt_rad;
+}
+
+void Gaze::look_ahead() {
+  pan_to(0);
+  tilt_to(0);
 }
 
 void Gaze::hold() {
-  if (neck_ != nullptr) neck_->hold();
+  if (neck_ == nullptr) return;
+  neck_->hold();
+  target_ = neck_->state().angles;
 }
 
 hal::NeckState Gaze::state(Micros now) const {

@@ -11,17 +11,22 @@ class Gaze {
   Gaze(hal::Neck* neck, const NeckConfig& config) : neck_(neck), config_(config) {}
 
   bool can_pan() const { return neck_ != nullptr && config_.pan.max_rad > config_.pan.min_rad; }
+  bool can_tilt() const { return neck_ != nullptr && config_.tilt.max_rad > config_.tilt.min_rad; }
   const JointConfig& pan_joint() const { return config_.pan; }
-  /// Aims at the nearest angle within the joint's range, which is returned. Positive left.
+  const JointConfig& tilt_joint() const { return config_.tilt; }
+  /// Aims one joint at the nearest angle within its range, which is returned; the other goes where it was
+  /// going. Pan is positive left, tilt positive down.
   double pan_to(double pan_rad);
-  /// Straight ahead again.
-  void look_ahead() { pan_to(0); }
+  double tilt_to(double tilt_rad);
+  /// Straight ahead again, level.
+  void look_ahead();
   void hold();
   hal::NeckState state(Micros now) const;
 
  private:
   hal::Neck* neck_;
   NeckConfig config_;
+  NeckAngles target_;
 };
 
 }  // namespace mirada::robot

@@ -9,6 +9,8 @@ inline constexpr Message no_drive{"no_drive", "This robot has no wheels, so it c
                                   "Este robot no tiene ruedas, así que no puede moverse."};
 inline constexpr Message no_neck{"no_neck", "This robot's camera can't turn.",
                                  "La cámara de este robot no puede girar."};
+inline constexpr Message no_tilt{"no_tilt", "This robot's camera can't look up or down.",
+                                 "La cámara de este robot no puede mirar arriba ni abajo."};
 inline constexpr Message not_running{"not_running", "Press the green flag first: then I can move.",
                                      "Pulsa primero la bandera verde: entonces podré moverme."};
 inline constexpr Message number_not_finite{"number_not_finite", "I need a real number here, not {value}.",
@@ -19,6 +21,9 @@ inline constexpr Message beyond_limit{"beyond_limit",
 inline constexpr Message pan_clamped{
     "pan_clamped", "I can't look that far to the side: I look to {limit}° instead of {value}°.",
     "No puedo mirar tan a un lado: miro a {limit}° en vez de a {value}°."};
+inline constexpr Message tilt_clamped{
+    "tilt_clamped", "I can't look that far up or down: I look to {limit}° instead of {value}°.",
+    "No puedo mirar tan arriba o abajo: miro a {limit}° en vez de a {value}°."};
 inline constexpr Message not_getting_there{"not_getting_there",
                                            "I am not getting there. Is something in my way?",
                                            "No consigo llegar. ¿Hay algo en mi camino?"};

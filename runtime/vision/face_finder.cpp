@@ -32,32 +32,9 @@ std::string cascade_file() {
   return std::string(kFolders[0]) + "/" + kFile;
 }
 
-class HaarFaceFinder final : public FaceFinder {
- public:
-  HaarFaceFinder(const RobotConfig& robot, cv::CascadeClassifier cascade)
-      : robot_(robot), cascade_(std::move(cascade)) {}
-
-  FacesPercept find(const Frame& frame, const NeckAngles& neck) override;
-
- private:
-  double bearing_rad(const Eigen::Vector2d& pixel, const CameraModel& camera,
-                     const Eigen::Isometry3d& X_RC) const;
-
-  RobotConfig robot_;
-  cv::CascadeClassifier cascade_;
-  cv::Mat gray_;
-  std::vector<cv::Rect> boxes_;
-  std::vector<int> levels_;
-  std::vector<double> weights_;
-};
-
 /// A face has no foot on the floor to measure: its bearing is that of a point on its ray as far away as
 /// people stand.
-double HaarFaceFinder::bearing_rad(const Eigen::Vector2d& pixel, const CameraModel& camera,
-                                   const Eigen::Isometry3d& X_RC) const {
-  const auto ray_C = camera.unproject(pixel);
-  if (!ray_C) return 0;
-  const Eigen::Vector3d ray_R = X_RC.linear() * *ray_C;
+double bearing_of(const Eigen::Vector3d& ray_R, const Eigen::Isometry3d& X_RC) {
   const Eigen::Vector2d away = ray_R.head<2>().normalized();
   const Eigen::Vector2d lens = X_RC.translation().head<2>();
   // The point of the ray that lies kNominalDistance_m from the robot's origin.
@@ -68,6 +45,22 @@ double HaarFaceFinder::bearing_rad(const Eigen::Vector2d& pixel, const CameraMod
   const Eigen::Vector2d p = lens + reach * away;
   return std::atan2(p.y(), p.x());
 }
+
+class HaarFaceFinder final : public FaceFinder {
+ public:
+  HaarFaceFinder(const RobotConfig& robot, cv::CascadeClassifier cascade)
+      : robot_(robot), cascade_(std::move(cascade)) {}
+
+  FacesPercept find(const Frame& frame, const NeckAngles& neck) override;
+
+ private:
+  RobotConfig robot_;
+  cv::CascadeClassifier cascade_;
+  cv::Mat gray_;
+  std::vector<cv::Rect> boxes_;
+  std::vector<int> levels_;
+  std::vector<double> weights_;
+};
 
 FacesPercept HaarFaceFinder::find(const Frame& frame, const NeckAngles& neck) {
   FacesPercept percept;
@@ -91,7 +84,11 @@ FacesPercept HaarFaceFinder::find(const Frame& frame, const NeckAngles& neck) {
     FacePercept face{box.x * scale, box.y * scale, box.width * scale, box.height * scale};
     // The last stage's margin has no fixed scale; squashed so that more is surer and 1 is never reached.
     face.score = 1 / (1 + std::exp(-std::max(0.0, weights_[i]) / 2));
-    face.bearing_rad = bearing_rad({face.x_px + face.w_px / 2, face.y_px + face.h_px / 2}, camera, X_RC);
+    if (const auto ray_C = camera.unproject({face.x_px + face.w_px / 2, face.y_px + face.h_px / 2})) {
+      const Eigen::Vector3d ray_R = X_RC.linear() * *ray_C;
+      face.bearing_rad = bearing_of(ray_R, X_RC);
+      face.elevation_rad = std::atan2(ray_R.z(), ray_R.head<2>().norm());
+    }
     percept.faces.push_back(face);
   }
   std::sort(percept.faces.begin(), percept.faces.end(), [](const FacePercept& a, const FacePercept& b) {

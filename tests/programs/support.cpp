@@ -1,6 +1,8 @@
 #include "programs/support.h"
 
+#include <algorithm>
 #include <stdexcept>
+#include <vector>
 
 #include "base/files.h"
 #include "packs/packs.h"
@@ -8,16 +10,23 @@
 namespace mirada::vm::test {
 namespace {
 
-void give_ids(Json& json, int& next) {
-  if (json.is_array()) {
-    for (Json& item : json) give_ids(item, next);
-    return;
-  }
-  if (!json.is_object()) return;
-  if (json.contains("type") && !json.contains("id") && !json.contains("name"))
-    json["id"] = "b" + std::to_string(next++);
-  for (auto& [key, value] : json.items()) {
-    if (key != "extraState") give_ids(value, next);
+// By a stack of its own: a sanitizer's frames are too large to recurse through 5,000 blocks.
+void give_ids(Json& root, int& next) {
+  std::vector<Json*> waiting{&root};
+  while (!waiting.empty()) {
+    Json& json = *waiting.back();
+    waiting.pop_back();
+    if (json.is_object() && json.contains("type") && !json.contains("id") && !json.contains("name"))
+      json["id"] = "b" + std::to_string(next++);
+    const std::size_t first = waiting.size();
+    if (json.is_array()) {
+      for (Json& item : json) waiting.push_back(&item);
+    } else if (json.is_object()) {
+      for (auto& [key, value] : json.items()) {
+        if (key != "extraState") waiting.push_back(&value);
+      }
+    }
+    std::reverse(waiting.begin() + static_cast<std::ptrdiff_t>(first), waiting.end());
   }
 }
 
