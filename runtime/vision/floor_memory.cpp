@@ -97,13 +97,14 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
                        const ScanSettings& settings, const Pose2& X_OR, const NeckAngles& neck,
                        std::vector<ColumnResult>& results) {
   const Place place{X_OR, neck};
+  can_learn_ = false;
   if (is_frozen(grid, place)) return false;
   const FloorStudy::Verdict verdict = study_.run(grid, spans, scale.depth_m);
   if (verdict == FloorStudy::Verdict::dark || verdict == FloorStudy::Verdict::glaring) return false;
-  const bool can_learn = verdict == FloorStudy::Verdict::floor;
+  const bool shows_floor = verdict == FloorStudy::Verdict::floor;
   const bool first = !trusted_;
   if (first) {
-    if (!can_learn) return false;
+    if (!shows_floor) return false;
     looks_.clear();
     study_.teach(looks_);
     home_ = study_.main_look();
@@ -120,12 +121,13 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
     forget();
     return false;
   }
-  if (can_learn && plausible(results)) learn(grid, spans, scale, results);
+  can_learn_ = shows_floor && plausible(results);
   return true;
 }
 
 void FloorMemory::learn(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
                         const std::vector<ColumnResult>& results) {
+  if (!can_learn_) return;
   if (++pictures_since_fade_ >= kFadeEvery) {
     pictures_since_fade_ = 0;
     looks_.fade();

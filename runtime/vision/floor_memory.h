@@ -15,11 +15,14 @@ class FloorMemory {
  public:
   void forget();
 
-  /// Scans every column of a picture and learns from it. False: this picture cannot be used or no floor is
-  /// known that could be trusted; `results` mean nothing then.
+  /// Scans every column of a picture. False: this picture cannot be used or no floor is known that could be
+  /// trusted; `results` mean nothing then.
   bool scan(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
             const ScanSettings& settings, const Pose2& X_OR, const NeckAngles& neck,
             std::vector<ColumnResult>& results);
+  /// Learns from the floor that scan() found in this picture, as far as `results` still call it floor.
+  void learn(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
+             const std::vector<ColumnResult>& results);
 
  private:
   struct Place {
@@ -29,8 +32,6 @@ class FloorMemory {
   bool is_frozen(const PictureGrid& grid, const Place& place);
   void scan_columns(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, ColumnScan& scan,
                     std::vector<ColumnResult>& results) const;
-  void learn(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
-             const std::vector<ColumnResult>& results);
   bool is_lost(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
                const std::vector<ColumnResult>& results, const Place& place);
 
@@ -39,6 +40,7 @@ class FloorMemory {
   FloorTexture texture_;
   Look home_;  ///< the look at the picture's foot, followed
   bool trusted_ = false;
+  bool can_learn_ = false;  ///< from the picture scanned last
   int pictures_since_fade_ = 0;
   int lost_pictures_ = 0;
   Place lost_since_;

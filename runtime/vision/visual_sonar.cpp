@@ -9,6 +9,7 @@
 #include "vision/floor_looks.h"
 #include "vision/floor_memory.h"
 #include "vision/ground_projection.h"
+#include "vision/obstacle_hold.h"
 #include "vision/picture_grid.h"
 #include "vision/polar_sweep.h"
 
@@ -38,6 +39,7 @@ struct VisualSonar::Impl {
   CameraModel camera;  ///< at the picture's size
   PictureGrid grid;
   FloorMemory memory;
+  ObstacleHold hold;
   std::optional<GroundProjection> ground;
   NeckAngles prepared_neck;
   RowScale scale;
@@ -50,7 +52,10 @@ VisualSonar::VisualSonar(const RobotConfig& robot, const SonarSettings& settings
     : impl_(std::make_unique<Impl>(robot, settings)) {}
 VisualSonar::~VisualSonar() = default;
 
-void VisualSonar::forget() { impl_->memory.forget(); }
+void VisualSonar::forget() {
+  impl_->memory.forget();
+  impl_->hold.forget();
+}
 
 bool VisualSonar::Impl::prepare_size(const cv::Mat& bgr) {
   constexpr int kSmallest_px = 32;
@@ -108,7 +113,10 @@ bool VisualSonar::Impl::scan_all(const Pose2& X_OR, const NeckAngles& neck) {
     return true;
   }
   const ScanSettings scan{settings.lines_are_obstacles};
-  return memory.scan(grid, spans, scale, scan, X_OR, neck, results);
+  if (!memory.scan(grid, spans, scale, scan, X_OR, neck, results)) return false;
+  hold.apply(grid, spans, *ground, X_OR, results);
+  memory.learn(grid, spans, scale, results);
+  return true;
 }
 
 /// A picture that cannot be judged: only what lies above the horizon is known, whatever it shows.

@@ -129,6 +129,24 @@ std::string said(const std::string& reporter, const std::string& inputs = "",
   return run(flag(block({"looks_say", "say", block_input("MESSAGE", value), ""}))).say.at(0).text;
 }
 
+/// The crate of Sala 1 has the floor's colour in shade: when its side fills the picture it must not pass for
+/// floor.
+TEST(Lockstep, WhatStoodInTheWayStaysThereWhenTheRobotComesNearer) {
+  LockstepOptions options = in_room("sala-1");
+  options.world->jitter = {};
+  options.world->X_WR_start = {0.56, 0.92, rad(-112)};
+  const auto step_and_say = [](const std::string& rest) {
+    const std::string clear = block({"vision_way_clear", "clear", number_input("DISTANCE", "60"), ""});
+    return drive("forward", "4",
+                 wait("0.2", block({"looks_say", "say", block_input("MESSAGE", clear), ""}, rest)));
+  };
+  std::string steps;
+  for (int i = 0; i < 7; ++i) steps = step_and_say(steps);
+  const RunReport report = run(flag(steps), options);
+  ASSERT_EQ(report.say.size(), 7u);
+  for (const session::SaidText& said : report.say) EXPECT_EQ(said.text, "false") << seconds(said.t);
+}
+
 TEST(Lockstep, WithoutAWorldNothingIsSeen) {
   EXPECT_EQ(said("vision_obstacle_distance", number_input("ANGLE", "0")), "0");
   EXPECT_EQ(said("vision_nearest_direction"), "180");

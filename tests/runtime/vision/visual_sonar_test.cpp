@@ -141,6 +141,24 @@ TEST(VisualSonar, AFrozenCameraIsNoticedWhenTheRobotMoves) {
   expect_nothing_seen(sonar.look(Frame{same, 2, 3}, {}, {0.05, 0, 0}));
 }
 
+TEST(VisualSonar, AnObstacleThatIsTakenAwayIsGoneAtOnce) {
+  const Scene with_box = room_with_box(0.45, 0);
+  Scene without = with_box;
+  without.boxes.clear();
+  VisualSonar sonar(robot(), {});
+  std::uint64_t number = 1;
+  Scene scene = with_box;
+  const auto look = [&] {
+    scene.seed = number;  // other noise
+    return sonar.look(
+        Frame{testing::render(scene, robot(), {}, {}), static_cast<Micros>(number * 50'000), number++}, {},
+        {});
+  };
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(at(look(), 0).answer, Answer::blocked);
+  scene = without;
+  EXPECT_GT(at(look(), 0).distance_m, 1.0);
+}
+
 TEST(VisualSonar, APictureTwiceTheSizeReadsTheSame) {
   const Scene scene = room_with_box(0.8, 0.1);
   RobotConfig large = robot();
