@@ -90,6 +90,7 @@ class Lockstep {
     session::SessionOptions out;
     out.seed = options.seed;
     out.limits = options.limits;
+    out.attended = false;
     out.back_to_back = !options.world.has_value();
     return out;
   }

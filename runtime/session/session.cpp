@@ -187,13 +187,19 @@ void Session::add_fault(vm::BlockFault fault) {
   if (faults_.size() > kKeptFaults) faults_.pop_front();
 }
 
+/// With no script alive: whether anything can start one.
+bool Session::can_go_on() const {
+  if (options_.attended) return machine_->waits_for_outside();
+  return machine_->may_fire_by_itself() || (!options_.back_to_back && machine_->waits_for_percept());
+}
+
 void Session::end_if_over() {
   if (machine_->any_script_alive()) return;
   if (const auto owner = robot_->motion().end_set_speeds()) {
     add_fault(
         {owner->block, make_fault(owner->block, messages::program_ended_moving, {}, Severity::warning)});
   }
-  if (machine_->waits_for_outside()) return;
+  if (can_go_on()) return;
   stop(faulted_ ? StopReason::faulted : StopReason::program_ended);
 }
 

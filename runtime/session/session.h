@@ -19,6 +19,8 @@ struct SessionOptions {
   vm::Limits limits;
   /// No world: nothing but the budget ends a tick.
   bool back_to_back = false;
+  /// Somebody may press keys: a program with a key hat waits for them. In lockstep nobody is there.
+  bool attended = true;
   std::uint64_t runs_before = 0;  ///< what run() counts on from
 };
 
@@ -77,6 +79,7 @@ class Session {
   void collect();
   void add_fault(vm::BlockFault fault);
   void end_if_over();
+  bool can_go_on() const;
 
   robot::Robot* robot_;
   const vm::BlockCatalog* catalog_;

@@ -144,6 +144,13 @@ bool Machine::may_fire_by_itself() const {
   });
 }
 
+bool Machine::waits_for_percept() const {
+  if (!impl_->started) return false;
+  return std::ranges::any_of(impl_->code->scripts, [](const Script& script) {
+    return script.kind == HatKind::edge && script.from_outside;
+  });
+}
+
 Micros Machine::next_wake() const { return impl_->next_wake(); }
 std::vector<std::string> Machine::running_blocks() const { return impl_->running_blocks(); }
 std::map<std::string, MonitorValue> Machine::variables() const { return impl_->variables(); }

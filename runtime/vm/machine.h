@@ -77,6 +77,8 @@ class Machine {
   bool waits_for_outside() const;
   /// A hat that needs nobody outside may still fire (the timer passes a value).
   bool may_fire_by_itself() const;
+  /// A hat waits for something that the robot may perceive.
+  bool waits_for_percept() const;
   /// When the next tick has something to do: now() or before = at once; INT64_MAX = nothing until an event.
   Micros next_wake() const;
 

@@ -107,6 +107,14 @@ TEST(Lockstep, TimeIsUpForWhatNeverEnds) {
   EXPECT_NEAR(report.simulated_s, 1.5, 1e-9);
 }
 
+TEST(Lockstep, NobodyIsThereToPressAKey) {
+  const std::string key =
+      block({"event_whenkeypressed", "key", "", R"("KEY_OPTION": "space")"}, say("never"));
+  const RunReport report = run(flag(say("done")) + "," + key);
+  EXPECT_EQ(report.status, RunStatus::finished);
+  EXPECT_LT(report.simulated_s, 1);
+}
+
 TEST(Lockstep, StopEndsIt) {
   LockstepOptions options = no_world();
   int looks = 0;
