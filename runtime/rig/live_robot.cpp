@@ -1,5 +1,7 @@
 #include "rig/live_robot.h"
 
+#include <algorithm>
+
 #include "rig/beat.h"
 #include "rig/camera_choice.h"
 #include "rig/detectors.h"
@@ -53,7 +55,9 @@ void LiveRobot::step(PictureEncoder& encoder) {
   const Micros target = wall_.now() - wall_behind_;
   // After a hiccup the room's time is allowed to be late: a burst of steps would only make the next one.
   if (target - simulation_.now() > kMostBehind) wall_behind_ += target - simulation_.now() - kMostBehind;
-  while (simulation_.now() + kWorldStep <= wall_.now() - wall_behind_) {
+  // Only up to what it was when the step began: a machine too slow for the room must still publish.
+  const Micros until = std::min(target, simulation_.now() + kMostBehind);
+  while (simulation_.now() + kWorldStep <= until) {
     simulation_.step(kWorldStep);
     clock_->set(simulation_.now());
     robot_.observe();
