@@ -22,7 +22,8 @@ TEST_P(Greet, FindsThePersonOfTheRoomAndSaysHello) {
   options.seconds = 15;
   const session::RunReport report = rig::run_lockstep(*program, options);
   EXPECT_TRUE(report.faults.empty());
-  EXPECT_TRUE(std::ranges::any_of(report.say, [](const auto& said) { return said.text.starts_with("Hello"); }));
+  EXPECT_TRUE(
+      std::ranges::any_of(report.say, [](const auto& said) { return said.text.starts_with("Hello"); }));
 }
 
 INSTANTIATE_TEST_SUITE_P(ShippedRooms, Greet, ::testing::Values("sala-1", "green-field", "workshop"));

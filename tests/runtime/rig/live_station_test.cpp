@@ -24,14 +24,14 @@ class LiveStationTest : public ::testing::Test {
     station = std::move(make_station(options).value());
   }
 
-  /// Looks again and again; generous, because the machine may be busy. A pause between, because a reader that
-  /// never lets go of the station's locks keeps its threads from them.
+  /// Looks again and again; generous, because the machine may be busy. It gives way between two looks,
+  /// because a reader that hardly lets go of the station's locks keeps its threads from them.
   template <class Condition>
   bool comes(Condition condition) const {
     const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (!condition(*station->telemetry())) {
       if (std::chrono::steady_clock::now() > deadline) return false;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      for (int turn = 0; turn < 200; ++turn) std::this_thread::yield();
     }
     return true;
   }
