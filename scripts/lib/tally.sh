@@ -74,7 +74,7 @@ run_ctest() {
   "${calm_addresses[@]}" ctest --preset "$preset" -j "$(nproc)" --output-junit "$report"
   status=$?
   set -e
-  junit_number() { grep -o -m 1 " $1=\"[0-9]*\"" "$report" | grep -o '[0-9]*' || echo 0; }
+  junit_number() { grep -o -m 1 "[[:space:]]$1=\"[0-9]*\"" "$report" | grep -o '[0-9]*' || echo 0; }
   local all bad idle
   all=$(junit_number tests) bad=$(junit_number failures) idle=$(($(junit_number skipped) + $(junit_number disabled)))
   count "$((all - bad - idle))" "$bad" "$idle"
