@@ -82,6 +82,18 @@ Colour mix(Colour a, Colour b, double share) {
   return {channel(a.r, b.r), channel(a.g, b.g), channel(a.b, b.b)};
 }
 
+void scale_row(cv::Mat& bgr8, int y, const std::vector<float>& share) {
+  std::vector<float> of_channel(share.size() * 3);
+  for (std::size_t x = 0; x < share.size(); ++x)
+    std::fill_n(of_channel.begin() + static_cast<std::ptrdiff_t>(3 * x), 3, share[x]);
+  std::uint8_t* value = bgr8.ptr<std::uint8_t>(y);
+  for (std::size_t i = 0; i < of_channel.size(); ++i) {
+    const float lit = static_cast<float>(value[i]) * of_channel[i] + 0.5F;
+    const float floored = lit < 0 ? 0 : lit;
+    value[i] = static_cast<std::uint8_t>(static_cast<int>(floored > 255 ? 255 : floored));
+  }
+}
+
 void modulate(cv::Mat& bgr8, const cv::Mat& noise, double amount) {
   CV_Assert(noise.type() == CV_32F);
   const auto mirrored = [](int at, int size) {
@@ -89,18 +101,13 @@ void modulate(cv::Mat& bgr8, const cv::Mat& noise, double amount) {
     return turn < size ? turn : 2 * size - 1 - turn;
   };
   const auto strength = static_cast<float>(amount);
-  std::vector<float> share(static_cast<std::size_t>(bgr8.cols));
+  std::vector<int> column(static_cast<std::size_t>(bgr8.cols));
+  for (int x = 0; x < bgr8.cols; ++x) column[static_cast<std::size_t>(x)] = mirrored(x, noise.cols);
+  std::vector<float> share(column.size());
   for (int y = 0; y < bgr8.rows; ++y) {
     const float* n = noise.ptr<float>(mirrored(y, noise.rows));
-    for (int x = 0; x < bgr8.cols; ++x)
-      share[static_cast<std::size_t>(x)] = 1 + strength * n[mirrored(x, noise.cols)];
-    std::uint8_t* pixel = bgr8.ptr<std::uint8_t>(y);
-    for (int x = 0; x < bgr8.cols; ++x, pixel += 3) {
-      for (int c = 0; c < 3; ++c) {
-        const float value = static_cast<float>(pixel[c]) * share[static_cast<std::size_t>(x)] + 0.5F;
-        pixel[c] = static_cast<std::uint8_t>(std::clamp(value, 0.0F, 255.0F));
-      }
-    }
+    for (std::size_t x = 0; x < share.size(); ++x) share[x] = 1 + strength * n[column[x]];
+    scale_row(bgr8, y, share);
   }
 }
 

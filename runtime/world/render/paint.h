@@ -24,6 +24,8 @@ Colour mix(Colour a, Colour b, double share);
 
 /// Multiplies a picture by 1 + amount * noise; noise that is smaller goes on mirrored.
 void modulate(cv::Mat& bgr8, const cv::Mat& noise, double amount);
+/// Multiplies row y by a share a pixel, rounded.
+void scale_row(cv::Mat& bgr8, int y, const std::vector<float>& share);
 /// Multiplies the channels.
 void light(cv::Mat& bgr8, double share, const cv::Vec3f& tint_bgr);
 

@@ -239,14 +239,12 @@ void light_gradient(cv::Mat& floor, const LightConfig& light) {
   if (light.gradient <= 0) return;
   const double gx = std::cos(light.from_rad) * light.gradient / floor.cols;
   const double gy = -std::sin(light.from_rad) * light.gradient / floor.rows;
+  std::vector<float> share(static_cast<std::size_t>(floor.cols));
   for (int y = 0; y < floor.rows; ++y) {
-    std::uint8_t* pixel = floor.ptr<std::uint8_t>(y);
-    for (int x = 0; x < floor.cols; ++x, pixel += 3) {
-      const auto share = static_cast<float>(1 + gx * (x - floor.cols / 2.0) + gy * (y - floor.rows / 2.0));
-      for (int k = 0; k < 3; ++k) {
-        pixel[k] = static_cast<std::uint8_t>(std::min(static_cast<float>(pixel[k]) * share + 0.5F, 255.0F));
-      }
-    }
+    const double row = 1 + gy * (y - floor.rows / 2.0) - gx * floor.cols / 2.0;
+    for (std::size_t x = 0; x < share.size(); ++x)
+      share[x] = static_cast<float>(row + gx * static_cast<double>(x));
+    scale_row(floor, y, share);
   }
 }
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <optional>
 
 #include "world/render/finish.h"
 #include "world/render/floor_row.h"
+#include "world/render/per_cpu.h"
 #include "world/render/tiles.h"
 
 namespace mirada::world {
@@ -41,10 +43,17 @@ struct Renderer::Impl {
     ids.resize(rays.x.size());
   }
 
+  /// Eight pixels side by side of which all are floor, or all show one face.
+  using Row = std::array<std::uint32_t, kTile>;
+
   void fill_tile(int tx, int ty);
+  void fill_tiles();
   void mixed_tile(std::size_t start, const TileSorter::Tile& tile);
+  void mixed_row(std::size_t row, int y, const TileSorter::Tile& tile);
   void floor_tile(std::size_t start, const TileSorter::Tile& tile);
+  Row floor_row(std::size_t row, int y, int taps) const;
   void quad_tile(std::size_t start, const TileSorter::Tile& tile);
+  Row quad_row(std::size_t row, int y, std::size_t item) const;
   void sky_tile(std::size_t start);
   void smooth_edges();
   std::uint32_t resampled(int x, int y) const;
@@ -56,78 +65,109 @@ struct Renderer::Impl {
   Stage stage;
   RayTable rays;
   SceneView view;
+  std::optional<FloorRow::Scene> floor;  ///< of the picture at hand
   TileSorter sorter;
   Finish finish;
   std::vector<std::uint32_t> pixels;
   std::vector<std::uint16_t> ids;
 };
 
-void Renderer::Impl::mixed_tile(std::size_t start, const TileSorter::Tile& tile) {
+MIRADA_INSIDE void Renderer::Impl::mixed_row(std::size_t row, int y, const TileSorter::Tile& tile) {
   const std::uint16_t* items = sorter.candidates() + tile.first;
-  for (int y = 0; y < kTile; ++y) {
-    for (int x = 0; x < kTile; ++x) {
-      const std::size_t i = start + static_cast<std::size_t>(y * rays.stride + x);
-      const SceneView::Hit hit = view.hit(rays.x[i], rays.y[i], items, tile.count);
-      ids[i] = static_cast<std::uint16_t>(hit.id);
-      pixels[i] = view.colour(hit, rays.x[i], rays.y[i], dither_at(x, y));
-    }
+  std::array<SceneView::Hit, kTile> hits;
+  std::size_t floors = 0, alike = 0;
+  for (std::size_t x = 0; x < kTile; ++x) {
+    hits[x] = view.hit(rays.x[row + x], rays.y[row + x], items, tile.count);
+    ids[row + x] = static_cast<std::uint16_t>(hits[x].id);
+    floors += hits[x].id == SceneView::kFloor ? 1 : 0;
+    alike += hits[x].id == hits[0].id ? 1 : 0;
+  }
+  const auto first = static_cast<std::size_t>(hits[0].id - SceneView::kFirstItem);
+  if (alike == kTile && hits[0].id >= SceneView::kFirstItem && first < view.quads.size()) {
+    const Row face = quad_row(row, y, first);
+    std::copy(face.begin(), face.end(), pixels.begin() + static_cast<std::ptrdiff_t>(row));
+    return;
+  }
+  // Eight at once cost about as much as three one by one.
+  const bool at_once = tile.on_floor_map && floors >= 3;
+  const Row ground = at_once ? floor_row(row, y, tile.floor_taps) : Row{};
+  for (std::size_t x = 0; x < kTile; ++x) {
+    pixels[row + x] =
+        at_once && hits[x].id == SceneView::kFloor
+            ? ground[x]
+            : view.colour(hits[x], rays.x[row + x], rays.y[row + x], dither_at(static_cast<int>(x), y));
   }
 }
 
-void Renderer::Impl::floor_tile(std::size_t start, const TileSorter::Tile& tile) {
+MIRADA_INSIDE void Renderer::Impl::mixed_tile(std::size_t start, const TileSorter::Tile& tile) {
+  for (int y = 0; y < kTile; ++y) mixed_row(start + static_cast<std::size_t>(y * rays.stride), y, tile);
+}
+
+MIRADA_INSIDE Renderer::Impl::Row Renderer::Impl::floor_row(std::size_t row, int y, int taps) const {
   const Texture& texture = stage.textures[stage.floor_texture];
-  const FloorRow::Scene scene(view);
-  const int taps = tile.floor_taps;
   const auto part = static_cast<std::uint32_t>(256 / taps);
   FloorRow line;
+  line.aim(*floor, rays.x.data() + row, rays.y.data() + row, taps,
+           kDither[static_cast<std::size_t>(y & 3)].data());
+  std::array<Lanes, kTile> sum{};
+  for (int i = 0; i < taps; ++i) {
+    line.tap(*floor, (static_cast<float>(i) + 0.5F) / static_cast<float>(taps) - 0.5F);
+    for (std::size_t x = 0; x < kTile; ++x) {
+      sum[x] += texture.sample_halved(line.level[x], line.u16[x], line.v16[x]) >> 8 & kLaneBytes;
+    }
+  }
+  Row out;
+  for (std::size_t x = 0; x < kTile; ++x) out[x] = packed(sum[x] * part);
+  return out;
+}
+
+MIRADA_INSIDE void Renderer::Impl::floor_tile(std::size_t start, const TileSorter::Tile& tile) {
   for (int y = 0; y < kTile; ++y) {
     const std::size_t row = start + static_cast<std::size_t>(y * rays.stride);
-    line.aim(scene, rays.x.data() + row, rays.y.data() + row, taps,
-             kDither[static_cast<std::size_t>(y & 3)].data());
-    std::array<Lanes, kTile> sum{};
-    for (int i = 0; i < taps; ++i) {
-      line.tap(scene, (static_cast<float>(i) + 0.5F) / static_cast<float>(taps) - 0.5F);
-      for (std::size_t x = 0; x < kTile; ++x) {
-        sum[x] += texture.sample_halved(line.level[x], line.u16[x], line.v16[x]) >> 8 & kLaneBytes;
-      }
-    }
-    for (std::size_t x = 0; x < kTile; ++x) {
-      pixels[row + x] = packed(sum[x] * part);
-      ids[row + x] = SceneView::kFloor;
-    }
+    const Row line = floor_row(row, y, tile.floor_taps);
+    std::copy(line.begin(), line.end(), pixels.begin() + static_cast<std::ptrdiff_t>(row));
+    std::fill_n(ids.begin() + static_cast<std::ptrdiff_t>(row), kTile, std::uint16_t{SceneView::kFloor});
   }
 }
 
-void Renderer::Impl::quad_tile(std::size_t start, const TileSorter::Tile& tile) {
-  const std::size_t item = sorter.candidates()[tile.first];
+MIRADA_INSIDE Renderer::Impl::Row Renderer::Impl::quad_row(std::size_t row, int y, std::size_t item) const {
   const Quad& quad = stage.quads[item];
   const QuadView& q = view.quads[item];
   const Texture& texture = stage.textures[quad.texture];
   const float per_u = texture.width() / quad.width_m;
   const float per_v = texture.height() / quad.height_m;
+  const float* rx = rays.x.data() + row;
+  const float* ry = rays.y.data() + row;
+  std::array<float, kTile> u, v, footprint2;
+  for (std::size_t x = 0; x < kTile; ++x) {
+    const float facing = q.normal_C.x() * rx[x] + q.normal_C.y() * ry[x] + q.normal_C.z();
+    const float t = q.plane / facing;
+    u[x] = (q.right0 + t * (q.right_C.x() * rx[x] + q.right_C.y() * ry[x] + q.right_C.z())) * per_u;
+    v[x] = (q.down0 + t * (q.down_C.x() * rx[x] + q.down_C.y() * ry[x] + q.down_C.z())) * per_v;
+    const float across = t * view.pixel_x * per_u;
+    const float stretch = -(1 + (rx[x] * rx[x] + ry[x] * ry[x]) / 2) / facing;
+    footprint2[x] = across * across * (stretch < 9 ? stretch : 9.0F);
+  }
+  Row out;
+  for (std::size_t x = 0; x < kTile; ++x) {
+    const Texture::Level& level = texture.level(footprint2[x], dither_at(static_cast<int>(x), y));
+    out[x] = packed(Texture::sample(level, u[x], v[x]));
+  }
+  return out;
+}
+
+MIRADA_INSIDE void Renderer::Impl::quad_tile(std::size_t start, const TileSorter::Tile& tile) {
+  const std::size_t item = sorter.candidates()[tile.first];
+  const auto id = static_cast<std::uint16_t>(item + SceneView::kFirstItem);
   for (int y = 0; y < kTile; ++y) {
     const std::size_t row = start + static_cast<std::size_t>(y * rays.stride);
-    const float* rx = rays.x.data() + row;
-    const float* ry = rays.y.data() + row;
-    std::array<float, kTile> u, v, footprint2;
-    for (std::size_t x = 0; x < kTile; ++x) {
-      const float facing = q.normal_C.x() * rx[x] + q.normal_C.y() * ry[x] + q.normal_C.z();
-      const float t = q.plane / facing;
-      u[x] = (q.right0 + t * (q.right_C.x() * rx[x] + q.right_C.y() * ry[x] + q.right_C.z())) * per_u;
-      v[x] = (q.down0 + t * (q.down_C.x() * rx[x] + q.down_C.y() * ry[x] + q.down_C.z())) * per_v;
-      const float across = t * view.pixel_x * per_u;
-      const float stretch = -(1 + (rx[x] * rx[x] + ry[x] * ry[x]) / 2) / facing;
-      footprint2[x] = across * across * (stretch < 9 ? stretch : 9.0F);
-    }
-    for (std::size_t x = 0; x < kTile; ++x) {
-      const Texture::Level& level = texture.level(footprint2[x], dither_at(static_cast<int>(x), y));
-      pixels[row + x] = packed(Texture::sample(level, u[x], v[x]));
-      ids[row + x] = static_cast<std::uint16_t>(item + SceneView::kFirstItem);
-    }
+    const Row line = quad_row(row, y, item);
+    std::copy(line.begin(), line.end(), pixels.begin() + static_cast<std::ptrdiff_t>(row));
+    std::fill_n(ids.begin() + static_cast<std::ptrdiff_t>(row), kTile, id);
   }
 }
 
-void Renderer::Impl::sky_tile(std::size_t start) {
+MIRADA_INSIDE void Renderer::Impl::sky_tile(std::size_t start) {
   for (int y = 0; y < kTile; ++y) {
     for (int x = 0; x < kTile; ++x) {
       const std::size_t i = start + static_cast<std::size_t>(y * rays.stride + x);
@@ -137,7 +177,7 @@ void Renderer::Impl::sky_tile(std::size_t start) {
   }
 }
 
-void Renderer::Impl::fill_tile(int tx, int ty) {
+MIRADA_INSIDE void Renderer::Impl::fill_tile(int tx, int ty) {
   const TileSorter::Tile& tile = sorter.tiles()[static_cast<std::size_t>(ty * rays.tiles_x + tx)];
   const std::size_t start = at(tx * kTile, ty * kTile);
   switch (tile.kind) {
@@ -153,6 +193,13 @@ void Renderer::Impl::fill_tile(int tx, int ty) {
     case TileSorter::Kind::mixed:
       mixed_tile(start, tile);
       break;
+  }
+}
+
+MIRADA_PER_CPU void Renderer::Impl::fill_tiles() {
+  floor.emplace(view);
+  for (int ty = 0; ty < rays.tiles_y; ++ty) {
+    for (int tx = 0; tx < rays.tiles_x; ++tx) fill_tile(tx, ty);
   }
 }
 
@@ -222,9 +269,7 @@ cv::Mat Renderer::render(const Eigen::Isometry3d& X_WC, const std::vector<Pose2>
   Impl& r = *impl_;
   r.view.look(r.rays, X_WC, people);
   r.sorter.sort(r.view);
-  for (int ty = 0; ty < r.rays.tiles_y; ++ty) {
-    for (int tx = 0; tx < r.rays.tiles_x; ++tx) r.fill_tile(tx, ty);
-  }
+  r.fill_tiles();
   r.smooth_edges();
   return r.finish.develop(r.pixels, static_cast<std::uint64_t>(chance));
 }

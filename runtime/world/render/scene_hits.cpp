@@ -102,7 +102,7 @@ std::uint32_t SceneView::floor_colour(float x, float y, float t, std::uint32_t d
   const float dv = -k * (rotation(1, 1) + ray.y() * drop);
   const float across = t * pixel_x * per_m;
   const float along2 = du * du + dv * dv;
-  const int taps = std::clamp(static_cast<int>(std::sqrt(along2) / across * 0.5F + 0.5F), 1, 4);
+  const int taps = floor_taps(std::sqrt(along2) / across);
   const float share = 1.0F / static_cast<float>(taps);
   const Texture::Level& level = texture.level(std::max(across * across, along2 * share * share), dither);
   Lanes sum = 0;

@@ -46,6 +46,13 @@ class SceneView {
   std::uint32_t colour(const Hit& hit, float x, float y, std::uint32_t dither) const;
   std::uint32_t sky(float x, float y) const;
 
+  /// How many places along the view make a pixel of floor whose footprint is so many times longer than wide.
+  /// Few: what they leave out the texture's coarser level blurs, as a cheap lens does.
+  static int floor_taps(float longer) {
+    const int taps = static_cast<int>(longer * 0.36F + 0.5F);
+    return taps < 1 ? 1 : taps > 3 ? 3 : taps;
+  }
+
   Eigen::Vector3f ray_W(float x, float y) const { return rotation * Eigen::Vector3f(x, y, 1); }
 
   Eigen::Matrix3f rotation;  ///< R_WC

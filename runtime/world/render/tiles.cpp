@@ -90,7 +90,7 @@ std::uint8_t TileSorter::taps(std::size_t tile) const {
   // under.
   const float slope = (s_low_[tile] + s_high_[tile]) / 2;
   const float longer = std::sqrt(1 + slope * slope) / std::max(-slope, 0.01F);
-  return static_cast<std::uint8_t>(std::clamp(static_cast<int>(longer * 0.5F + 0.5F), 1, 4));
+  return static_cast<std::uint8_t>(SceneView::floor_taps(longer));
 }
 
 bool TileSorter::on_floor_map(const SceneView& view, std::size_t tile) const {
@@ -107,10 +107,11 @@ bool TileSorter::on_floor_map(const SceneView& view, std::size_t tile) const {
 
 TileSorter::Tile TileSorter::settle(const SceneView& view, std::size_t tile, std::uint32_t first,
                                     std::size_t count) {
-  Tile out{first, static_cast<std::uint16_t>(count), Kind::mixed, taps(tile)};
+  Tile out{first, static_cast<std::uint16_t>(count), Kind::mixed, taps(tile), false};
   if (wild_[tile]) return out;
+  out.on_floor_map = s_high_[tile] < kFloorSlope && on_floor_map(view, tile);
   if (count == 0) {
-    if (s_high_[tile] < kFloorSlope && on_floor_map(view, tile)) out.kind = Kind::floor;
+    if (out.on_floor_map) out.kind = Kind::floor;
     if (s_low_[tile] > 0.001F) out.kind = Kind::sky;
     return out;
   }
