@@ -21,6 +21,7 @@ vm::NativeTable native_blocks(const std::shared_ptr<const Link>& link = std::mak
 void add_motion_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>& link);
 void add_looking_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>& link);
 void add_vision_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>& link);
+void add_memory_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>& link);
 void add_say_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>& link);
 
 }  // namespace mirada::blocks

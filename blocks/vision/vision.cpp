@@ -15,11 +15,12 @@ double round_to_tenth(double value) { return std::round(value * 10) / 10 + 0.0; 
 
 bool measured(Answer answer) { return answer == Answer::blocked || answer == Answer::clear; }
 
-/// In cm; what is not seen is 0, so that `< 30` is true: safe.
+/// In view what is seen now, elsewhere what is remembered. In cm; what was never seen is 0, so that `< 30` is
+/// true: safe.
 NativeResult obstacle_distance(robot::Robot& robot, NativeCall& call) {
   const double right_deg = call.number(0);
   if (!std::isfinite(right_deg)) return NativeResult::of(0.0);
-  const SonarReading reading = robot.sonar().at(bearing_from_block(right_deg));
+  const SonarReading reading = robot.obstacle_at(bearing_from_block(right_deg)).reading;
   return NativeResult::of(measured(reading.answer) ? round_to_tenth(reading.distance_m * 100) : 0.0);
 }
 

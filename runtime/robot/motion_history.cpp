@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace mirada::robot {
 namespace {
 
 constexpr Micros kKept = 2 * kSecond;
+
+constexpr Micros kAround = 15 * kMillisecond;
+constexpr double kNeckRate_radps = 0.35;  // at 10 ms of exposure: a pixel
+constexpr double kBodyRate_radps = 1.8;
 
 double mix(double a, double b, double part) { return a + (b - a) * part; }
 
@@ -42,6 +47,16 @@ MotionHistory::State MotionHistory::at(Micros t) const {
   const Sample& before = *std::prev(after);
   const double part = static_cast<double>(t - before.t) / static_cast<double>(after->t - before.t);
   return between(before.state, after->state, part);
+}
+
+bool MotionHistory::steady(Micros t) const {
+  const State before = at(t - kAround);
+  const State after = at(t + kAround);
+  const double span_s = seconds(2 * kAround);
+  const double pan_rad = std::abs(after.neck.pan_rad - before.neck.pan_rad);
+  const double tilt_rad = std::abs(after.neck.tilt_rad - before.neck.tilt_rad);
+  const double turn_rad = std::abs(wrap_rad(after.X_OR.heading_rad - before.X_OR.heading_rad));
+  return std::max(pan_rad, tilt_rad) <= kNeckRate_radps * span_s && turn_rad <= kBodyRate_radps * span_s;
 }
 
 }  // namespace mirada::robot

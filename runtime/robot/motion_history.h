@@ -18,6 +18,8 @@ class MotionHistory {
   void record(Micros t, const State& state);
   /// Linear between two records; the nearest end outside of them; all zero while empty.
   State at(Micros t) const;
+  /// Whether neck and robot turned slowly enough around `t` for a picture that is not blurred.
+  bool steady(Micros t) const;
   void clear() { samples_.clear(); }
 
  private:

@@ -34,7 +34,7 @@ bool Perception::step(Micros now, const MotionHistory& history) {
 
 void Perception::look(const Frame& frame, Micros now, const MotionHistory& history) {
   const MotionHistory::State then = history.at(frame.t_exposure);
-  if (needs_.sonar && detectors_.sonar) {
+  if ((needs_.sonar || needs_.memory) && detectors_.sonar) {
     const Micros due = timing_ == Timing::live ? now : now + latency_.sonar_us;
     sonar_due_.push_back({due, detectors_.sonar(frame, then.neck, then.X_OR)});
   }

@@ -20,10 +20,11 @@ struct Needs {
   bool frames = false;
   bool sonar = false;
   bool faces = false;
+  bool memory = false;  ///< remember what is seen; wants sonar too
 
-  bool any() const { return frames || sonar || faces; }
+  bool any() const { return frames || sonar || faces || memory; }
   Needs operator|(const Needs& other) const {
-    return {frames || other.frames, sonar || other.sonar, faces || other.faces};
+    return {frames || other.frames, sonar || other.sonar, faces || other.faces, memory || other.memory};
   }
   bool operator==(const Needs&) const = default;
 };

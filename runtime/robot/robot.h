@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "hal/neck.h"
+#include "memory/visual_memory.h"
 #include "robot/gaze.h"
 #include "robot/motion.h"
 #include "robot/perception.h"
+#include "robot/recall.h"
 #include "robot/seeing.h"
 
 namespace mirada::robot {
@@ -46,6 +48,10 @@ class Robot {
   const Perception& perception() const { return perception_; }
   const hal::Odometry& odometry() const { return odometry_; }
   SonarView sonar() const;
+  memory::VisualMemory& memory() { return memory_; }
+  const memory::VisualMemory& memory() const { return memory_; }
+  /// In view: what is seen now. Elsewhere: what is remembered.
+  Recall obstacle_at(double bearing_rad) const;
   /// The newest faces, or null when they are too old to say anything.
   const FacesPercept* faces() const;
 
@@ -56,6 +62,8 @@ class Robot {
   void forget();
 
  private:
+  void remember();
+
   RobotConfig config_;
   Devices devices_;
   const Clock* clock_;
@@ -64,6 +72,8 @@ class Robot {
   Gaze gaze_;
   Perception perception_;
   MotionHistory history_;
+  memory::VisualMemory memory_;
+  std::uint64_t remembered_frame_ = 0;
   hal::Odometry odometry_;
   std::vector<Note> notes_;
 };

@@ -36,6 +36,15 @@ SonarReading SonarView::moved(const SonarReading& reading) const {
   return out;
 }
 
+bool SonarView::in_view(double bearing_rad) const {
+  if (!fresh_ || sonar_->readings.empty()) return false;
+  const double then_rad = bearing_rad - X_RS_.heading_rad;
+  const double first_rad = sonar_->readings.front().bearing_rad;
+  const double span_rad = wrap_rad(sonar_->readings.back().bearing_rad - first_rad);
+  const double off_rad = wrap_rad(then_rad - first_rad);
+  return off_rad > -kNextReading_rad && off_rad < span_rad + kNextReading_rad;
+}
+
 SonarReading SonarView::at(double bearing_rad) const {
   SonarReading best{bearing_rad, Answer::not_seen, kNaN, kNaN};
   if (!fresh_) return best;

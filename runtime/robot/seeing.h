@@ -16,6 +16,8 @@ class SonarView {
   SonarView(const SonarPercept& sonar, const Pose2& X_OR_now, Micros now);
 
   bool fresh() const { return fresh_; }
+  /// Whether the picture looks in this direction at all (whatever it could tell there).
+  bool in_view(double bearing_rad) const;
   /// The reading nearest to this bearing (rad, left positive), from the robot's origin; not_seen when none is
   /// near.
   SonarReading at(double bearing_rad) const;

@@ -109,7 +109,8 @@ void read_fields(const ScannedObject& scanned, JsonReader& in, ReadMessage& out)
       return read_choose(in, message);
     case ClientVerb::watch:
       message.wanted = {in.truth_or("camera", false), in.truth_or("sonar", false),
-                        in.truth_or("faces", false), in.truth_or("room", false)};
+                        in.truth_or("faces", false), in.truth_or("room", false),
+                        in.truth_or("memory", false)};
       return;
     case ClientVerb::stop:
     case ClientVerb::put_back:

@@ -14,11 +14,13 @@ constexpr Micros kTelemetryPeriod = 45 * kMillisecond;  // with ticks of 10 ms: 
 constexpr std::size_t kWrongCodesAMinute = 60;
 
 unsigned panel_mask(const session::Wanted& panels) {
-  return (panels.sonar ? 1u : 0u) | (panels.faces ? 2u : 0u) | (panels.room ? 4u : 0u);
+  return (panels.sonar ? 1u : 0u) | (panels.faces ? 2u : 0u) | (panels.room ? 4u : 0u) |
+         (panels.memory ? 8u : 0u);
 }
 
 bool same(const session::Wanted& a, const session::Wanted& b) {
-  return a.camera == b.camera && a.sonar == b.sonar && a.faces == b.faces && a.room == b.room;
+  return a.camera == b.camera && a.sonar == b.sonar && a.faces == b.faces && a.room == b.room &&
+         a.memory == b.memory;
 }
 
 }  // namespace
@@ -125,6 +127,7 @@ void Hub::update_wanted() {
     all.sonar |= viewer->wanted.sonar;
     all.faces |= viewer->wanted.faces;
     all.room |= viewer->wanted.room;
+    all.memory |= viewer->wanted.memory;
   }
   if (same(all, wanted_)) return;
   wanted_ = all;

@@ -8,6 +8,7 @@
 
 #include "model/percepts.h"
 #include "server/json_text.h"
+#include "server/memory_text.h"
 
 namespace mirada::server {
 namespace {
@@ -129,7 +130,8 @@ TelemetryText::TelemetryText(const session::Telemetry& telemetry)
       base_(base_text(telemetry)),
       sonar_(telemetry.percepts ? sonar_text(telemetry.percepts->sonar) : "null"),
       faces_(telemetry.percepts ? faces_text(telemetry.percepts->faces) : "null"),
-      scene_(telemetry.scene_json.empty() ? "null" : telemetry.scene_json) {}
+      scene_(telemetry.scene_json.empty() ? "null" : telemetry.scene_json),
+      memory_(telemetry.memory ? memory_text(*telemetry.memory) : "null") {}
 
 std::string TelemetryText::assemble(const session::Wanted& panels) const {
   std::string out = base_;
@@ -139,11 +141,13 @@ std::string TelemetryText::assemble(const session::Wanted& panels) const {
   part("sonar", panels.sonar, sonar_);
   part("faces", panels.faces, faces_);
   part("scene", panels.room, scene_);
+  part("memory", panels.memory, memory_);
   return out + ",\"type\":\"telemetry\",\"t_us\":" + time_ + "}";
 }
 
 bool TelemetryText::same_content(const TelemetryText& other) const {
-  return base_ == other.base_ && sonar_ == other.sonar_ && faces_ == other.faces_ && scene_ == other.scene_;
+  return base_ == other.base_ && sonar_ == other.sonar_ && faces_ == other.faces_ && scene_ == other.scene_ &&
+         memory_ == other.memory_;
 }
 
 std::string picture_bytes(const session::Picture& picture) {

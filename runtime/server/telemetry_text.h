@@ -22,6 +22,7 @@ class TelemetryText {
   std::string sonar_;
   std::string faces_;
   std::string scene_;
+  std::string memory_;
 };
 
 /// A picture as the binary message: u32 length, JSON header, JPEG.

@@ -56,6 +56,8 @@ robot::Needs needs_of(const std::set<std::string>& names) {
   robot::Needs needs;
   needs.sonar = names.contains("sonar");
   needs.faces = names.contains("faces");
+  needs.memory = names.contains("memory");
+  needs.sonar = needs.sonar || needs.memory;
   needs.frames = needs.sonar || needs.faces;
   return needs;
 }

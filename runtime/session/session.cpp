@@ -101,7 +101,7 @@ void Session::want(const Wanted& wanted) {
 }
 
 void Session::update_needs() {
-  const robot::Needs panels{wanted_.camera, wanted_.sonar, wanted_.faces};
+  const robot::Needs panels{wanted_.camera, wanted_.sonar, wanted_.faces, wanted_.memory};
   robot_->perception().need(panels | program_needs_ | evaluations_.needs());
 }
 
@@ -226,6 +226,12 @@ Telemetry Session::snapshot() const {
   out.percepts = robot_->perception().percepts();
   out.X_OR = robot_->odometry().X_OR;
   out.neck = robot_->gaze().state(robot_->now()).angles;
+  if (wanted_.memory) {
+    auto memory = std::make_shared<memory::Snapshot>(memory::snapshot_of(robot_->memory()));
+    memory->neck = out.neck;
+    memory->hfov_rad = robot_->config().camera.hfov_rad();
+    out.memory = std::move(memory);
+  }
   const WheelSpeeds wheels = robot_->safety().commanded();
   out.left_mps = wheels.left_mps;
   out.right_mps = wheels.right_mps;

@@ -31,6 +31,7 @@ struct Wanted {
   bool sonar = false;
   bool faces = false;
   bool room = false;
+  bool memory = false;
 };
 
 /// A program that was loaded and started.

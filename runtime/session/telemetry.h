@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/fault.h"
+#include "memory/snapshot.h"
 #include "model/geometry.h"
 #include "model/percepts.h"
 #include "vm/machine.h"
@@ -49,9 +50,10 @@ struct Telemetry {
   std::shared_ptr<const Percepts> percepts;
   Pose2 X_OR;  ///< odometry
   NeckAngles neck;
-  double left_mps = 0, right_mps = 0;  ///< commanded
-  std::string camera_trouble_code;     ///< "" when pictures come
-  std::string scene_json;              ///< room from above, filled by rig; "" on a real robot
+  double left_mps = 0, right_mps = 0;              ///< commanded
+  std::string camera_trouble_code;                 ///< "" when pictures come
+  std::string scene_json;                          ///< room from above, filled by rig; "" on a real robot
+  std::shared_ptr<const memory::Snapshot> memory;  ///< null while its panel is closed
   std::uint64_t block_executions = 0;
 };
 

@@ -31,11 +31,17 @@ bool same_talk(const Telemetry& a, const Telemetry& b) {
          std::ranges::equal(a.faults, b.faults, same_fault);
 }
 
+bool same_memory(const Telemetry& a, const Telemetry& b) {
+  if (!a.memory || !b.memory) return a.memory == b.memory;
+  return a.memory->version == b.memory->version && a.memory->next.pan_rad == b.memory->next.pan_rad &&
+         a.memory->next.watching == b.memory->next.watching;
+}
+
 bool same_body(const Telemetry& a, const Telemetry& b) {
   return a.percepts == b.percepts && a.X_OR.x_m == b.X_OR.x_m && a.X_OR.y_m == b.X_OR.y_m &&
          a.X_OR.heading_rad == b.X_OR.heading_rad && a.neck.pan_rad == b.neck.pan_rad &&
          a.neck.tilt_rad == b.neck.tilt_rad && a.left_mps == b.left_mps && a.right_mps == b.right_mps &&
-         a.camera_trouble_code == b.camera_trouble_code && a.scene_json == b.scene_json;
+         a.camera_trouble_code == b.camera_trouble_code && a.scene_json == b.scene_json && same_memory(a, b);
 }
 
 bool same_run(const Telemetry& a, const Telemetry& b) {

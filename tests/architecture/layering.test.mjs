@@ -1,6 +1,6 @@
 // Who includes whom, against the table of docs/house.md.
 import assert from 'node:assert/strict';
-import { readdirSync } from 'node:fs';
+import { readdirSync, statSync } from 'node:fs';
 import { dirname, join, normalize } from 'node:path';
 import { test } from 'node:test';
 import { exists, files, isCpp, layering, lineOf, read, roomOf, root, withoutComments } from './lib.mjs';
@@ -8,13 +8,16 @@ import { exists, files, isCpp, layering, lineOf, read, roomOf, root, withoutComm
 const table = layering(read('docs/house.md'));
 const sources = files.filter((path) => isCpp(path) && /^(runtime|blocks|src)\//.test(path));
 
+/** A room may be called as a header of the standard library is: only files count. */
+const isFile = (path) => exists(path) && statSync(join(root, path)).isFile();
+
 /** Every #include with the file of ours that it means, or none for what is not ours. */
 function includesOf(path) {
   const text = withoutComments(read(path));
   return [...text.matchAll(/^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]/gm)].map((match) => {
     const [, quote, name] = match;
     const candidates = [join(dirname(path), name), join('runtime', name), name].map(normalize);
-    return { quote, name, line: lineOf(text, match.index), target: candidates.find((c) => exists(c)) };
+    return { quote, name, line: lineOf(text, match.index), target: candidates.find((c) => isFile(c)) };
   });
 }
 

@@ -327,7 +327,14 @@ describe('the editor', { timeout: 900_000 }, () => {
     await page.click('[data-testid=fold]');
     await page.waitForTimeout(200);
     const last = robot.received.filter((message) => message.type === 'watch').at(-1);
-    assert.deepEqual(last, { type: 'watch', camera: false, sonar: false, faces: false, room: false });
+    assert.deepEqual(last, {
+      type: 'watch',
+      camera: false,
+      sonar: false,
+      faces: false,
+      room: false,
+      memory: false,
+    });
     await page.reload();
     await page.locator('.page.folded').waitFor();
   });

@@ -3,9 +3,9 @@ import { useEffect, useRef } from 'preact/hooks';
 import { Bar } from './bar/bar';
 import { DialogHost } from './dialogs/dialog';
 import { t } from './messages';
+import { Above } from './stage/above';
 import { Picture } from './stage/picture';
 import { Readings } from './stage/readings';
-import { Room } from './stage/room';
 import { editor } from './state/editor';
 import { folded } from './state/panels';
 import { link, notes } from './state/robot';
@@ -72,7 +72,7 @@ export function App({ mount }: { mount: (element: HTMLElement) => void }) {
         </div>
         <aside id="stage" class="stage" tabIndex={-1}>
           <Picture />
-          <Room />
+          <Above />
           <Readings />
         </aside>
       </main>

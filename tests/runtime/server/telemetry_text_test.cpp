@@ -36,11 +36,17 @@ session::Telemetry rich() {
   percepts.faces.faces = {{1, 2, 3, 4, 0.9, 0.1}};
   t.percepts = std::make_shared<const Percepts>(percepts);
   t.scene_json = R"({"path_m":1})";
+  memory::Snapshot memory;
+  memory.X_OR = {1, 2, 0};
+  memory.places = {{{0.5, 0.25}, 0.02, 1500 * kMillisecond}};
+  memory.segments = {{{0, 0}, {1, 0}, 0.03, 0, 5}};
+  memory.free_m = {1.5, 0};
+  t.memory = std::make_shared<const memory::Snapshot>(memory);
   return t;
 }
 
 TEST(TelemetryText, says_all_that_the_protocol_names) {
-  const json out = json::parse(TelemetryText(rich()).assemble({true, true, true, true}));
+  const json out = json::parse(TelemetryText(rich()).assemble({true, true, true, true, true}));
   EXPECT_EQ(out["type"], "telemetry");
   EXPECT_EQ(out["t_us"], 1'250'000);
   EXPECT_EQ(out["state"], "running");
@@ -58,6 +64,10 @@ TEST(TelemetryText, says_all_that_the_protocol_names) {
   EXPECT_EQ(out["sonar"]["boundary"][0], (json{1.0, 2.0, "clear"}));
   EXPECT_EQ(out["faces"]["faces"][0]["w"], 3.0);
   EXPECT_EQ(out["scene"]["path_m"], 1);
+  EXPECT_EQ(out["memory"]["places"][0], (json{0.5, 0.25, 0.02, 1.5}));
+  EXPECT_EQ(out["memory"]["segments"][0], (json{0.0, 0.0, 1.0, 0.0, 0.03, 0.0}));
+  EXPECT_EQ(out["memory"]["free"], (json{1.5, 0.0}));
+  EXPECT_EQ(out["memory"]["next"]["watching"], "nothing");
 }
 
 TEST(TelemetryText, closed_panels_get_nothing) {

@@ -1,4 +1,5 @@
 import { useComputed } from '@preact/signals';
+import type { ComponentChildren } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
 import { t } from '../messages';
 import { editor } from '../state/editor';
@@ -101,7 +102,7 @@ class RoomPainter {
   }
 }
 
-export function Room() {
+export function Room({ tabs }: { tabs: ComponentChildren }) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const bubble = useRef<HTMLDivElement>(null);
   const say = useComputed(() => telemetry.value?.say ?? '');
@@ -125,7 +126,7 @@ export function Room() {
   return (
     <section class="card room-card" aria-label={t('room_above')}>
       <header class="card-head">
-        <h2>{t('room_above')}</h2>
+        {tabs}
         <button type="button" class="button small" disabled={!free.value} onClick={putBack}>
           ↺ {t('put_back')}
         </button>

@@ -58,7 +58,7 @@ export const faults = computed(() => [...startFaults.value, ...(telemetry.value?
 const waiting = new Map<number, (answer: { value?: Value; fault?: Fault }) => void>();
 let connection: Connection | null = null;
 let requests = 0;
-let watched: Watch = { camera: true, sonar: true, faces: true, room: true };
+let watched: Watch = { camera: true, sonar: true, faces: true, room: true, memory: false };
 
 export function note(severity: Note['severity'], words: () => string): void {
   notes.value = [...notes.value.slice(-99), { at: Date.now(), severity, words }];

@@ -88,6 +88,15 @@ export interface Scene {
   path_m: number;
 }
 
+export interface Memory {
+  robot: { x_m: number; y_m: number; heading_deg: number; pan_deg: number; hfov_deg: number };
+  places: [x_m: number, y_m: number, sigma_m: number, age_s: number][];
+  segments: [x1_m: number, y1_m: number, x2_m: number, y2_m: number, sigma_m: number, age_s: number][];
+  /** How far floor is known free, all round from ahead to the left. */
+  free: number[];
+  next: { watching: string; why: string; pan_deg: number; moving: boolean };
+}
+
 export interface Telemetry {
   t_us: number;
   run: number;
@@ -106,6 +115,7 @@ export interface Telemetry {
   sonar: Sonar | null;
   faces: Faces | null;
   scene: Scene | null;
+  memory: Memory | null;
 }
 
 export interface Watch {
@@ -113,6 +123,7 @@ export interface Watch {
   sonar: boolean;
   faces: boolean;
   room: boolean;
+  memory: boolean;
 }
 
 export type ToRobot =

@@ -1,0 +1,47 @@
+#include "memory/free_floor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirada::memory {
+namespace {
+
+constexpr double kStepPart = 0.7;  // of a cell, so that no square on the way is missed by much
+
+std::int32_t cell_of(double at_m) { return static_cast<std::int32_t>(std::floor(at_m / FreeFloor::kCell_m)); }
+
+}  // namespace
+
+void FreeFloor::centre(double x_m, double y_m, Micros now, double tyre_m) {
+  middle_x_ = cell_of(x_m);
+  middle_y_ = cell_of(y_m);
+  now_ = now;
+  tyre_m_ = tyre_m;
+}
+
+void FreeFloor::mark(double x_m, double y_m) {
+  const std::int32_t x = cell_of(x_m);
+  const std::int32_t y = cell_of(y_m);
+  if (std::abs(x - middle_x_) >= kSide / 2 || std::abs(y - middle_y_) >= kSide / 2) return;
+  cells_[slot(x, y)] = {x, y, static_cast<std::int32_t>(now_ / kMillisecond), static_cast<float>(tyre_m_)};
+}
+
+void FreeFloor::mark_ray(double x_m, double y_m, double direction_rad, double length_m) {
+  const double step_x = std::cos(direction_rad);
+  const double step_y = std::sin(direction_rad);
+  for (double at = 0; at < length_m; at += kStepPart * kCell_m) mark(x_m + at * step_x, y_m + at * step_y);
+}
+
+Micros FreeFloor::seen_at(double x_m, double y_m) const {
+  const std::int32_t x = cell_of(x_m);
+  const std::int32_t y = cell_of(y_m);
+  const Cell& cell = cells_[slot(x, y)];
+  if (cell.seen_ms < 0 || cell.x != x || cell.y != y) return -1;
+  const Micros seen = cell.seen_ms * kMillisecond;
+  if (now_ - seen > kLife || tyre_m_ - static_cast<double>(cell.tyre_m) > kLongestTyre_m) return -1;
+  return seen;
+}
+
+void FreeFloor::forget() { std::fill(cells_.begin(), cells_.end(), Cell{}); }
+
+}  // namespace mirada::memory

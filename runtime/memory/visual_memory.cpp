@@ -1,0 +1,86 @@
+#include "memory/visual_memory.h"
+
+#include <cmath>
+
+namespace mirada::memory {
+namespace {
+
+constexpr double kEdge_m = 0.03;  // nearest the boundary the floor is left to the obstacle
+constexpr double kSideMargin_m = 0.02;
+constexpr double kCornerPart = 1.8;
+constexpr double kStill_m = 1e-6;
+constexpr double kStill_rad = 1e-6;
+
+}  // namespace
+
+VisualMemory::VisualMemory(const RobotConfig& robot)
+    : near_(robot), drift_(drift_rates(robot.drive)), body_m_(robot.width_m() / 2) {}
+
+void VisualMemory::moved(Micros now, const Pose2& X_OR) {
+  const bool still = std::hypot(X_OR.x_m - X_OR_.x_m, X_OR.y_m - X_OR_.y_m) < kStill_m &&
+                     std::abs(wrap_rad(X_OR.heading_rad - X_OR_.heading_rad)) < kStill_rad;
+  drift_.moved(X_OR);
+  floor_.centre(X_OR.x_m, X_OR.y_m, now, drift_.now().tyre_m);
+  X_OR_ = X_OR;
+  // What is too old no longer counts: looked at once a second.
+  if (!still || now / kSecond != now_ / kSecond) ++version_;
+  now_ = now;
+}
+
+void VisualMemory::observe(const SonarPercept& sonar) {
+  if (sonar.readings.empty()) return;
+  ++looks_;
+  ++version_;
+  near_.aim(sonar.neck);
+  points_.observe(sonar, near_, drift_);
+  points_.prune(now_, drift_);
+  const Pose2& X = sonar.X_OR;
+  // What the robot stands on is free.
+  for (double x = -body_m_; x <= body_m_; x += FreeFloor::kCell_m)
+    for (double y = -body_m_; y <= body_m_; y += FreeFloor::kCell_m) floor_.mark(X.x_m + x, X.y_m + y);
+  for (const SonarReading& reading : sonar.readings) {
+    const bool blocked = reading.answer == Answer::blocked;
+    if (!blocked && reading.answer != Answer::clear) continue;
+    if (blocked && reading.distance_m <= near_.distance_m(reading.bearing_rad)) continue;
+    const double length_m = reading.distance_m - (blocked ? kEdge_m : 0);
+    floor_.mark_ray(X.x_m, X.y_m, X.heading_rad + reading.bearing_rad, length_m);
+  }
+}
+
+void VisualMemory::forget() {
+  points_.forget();
+  floor_.forget();
+  ++version_;
+}
+
+const Surroundings& VisualMemory::around() const {
+  if (around_version_ != version_) around_ = Surroundings(points_, floor_, drift_, X_OR_);
+  around_version_ = version_;
+  return around_;
+}
+
+bool VisualMemory::way_clear(double bearing_rad, double width_m, double ahead_m) const {
+  const double half_m = width_m / 2 + kSideMargin_m;
+  const double angle = X_OR_.heading_rad + bearing_rad;
+  const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
+  const Eigen::Vector2d side(-along.y(), along.x());
+  const Eigen::Vector2d here(X_OR_.x_m, X_OR_.y_m);
+  for (const ObstaclePoint& point : points_.all()) {
+    const Eigen::Vector2d to = point.p_O_m - here;
+    const double ahead = to.dot(along);
+    if (ahead > 0 && ahead < ahead_m && std::abs(to.dot(side)) < half_m) return false;
+  }
+  int unseen = 0;
+  int all = 0;
+  // Beside its front corners a robot never sees; floor begins where its width is in view.
+  for (double ahead = kCornerPart * half_m; ahead <= ahead_m; ahead += FreeFloor::kCell_m) {
+    for (double across = -half_m; across <= half_m; across += FreeFloor::kCell_m, ++all) {
+      const Eigen::Vector2d p = here + ahead * along + across * side;
+      unseen += floor_.seen_at(p.x(), p.y()) < 0 ? 1 : 0;
+    }
+  }
+  // A square at the rim of the robot's width may lie between two looks.
+  return unseen * 20 <= all;
+}
+
+}  // namespace mirada::memory

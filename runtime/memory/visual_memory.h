@@ -1,0 +1,49 @@
+#pragma once
+#include <optional>
+
+#include "memory/surroundings.h"
+
+namespace mirada::memory {
+
+/// What the robot has seen around itself lately, kept on odometry: obstacles, floor, and where nothing was
+/// looked at. Bounded in size, and in time for each picture and question. One thread.
+class VisualMemory {
+ public:
+  explicit VisualMemory(const RobotConfig& robot);
+
+  /// The odometry now, every few centimetres at the latest.
+  void moved(Micros now, const Pose2& X_OR);
+  /// A picture's answers, at most a second old. It must not be blurred.
+  void observe(const SonarPercept& sonar);
+  void forget();
+
+  /// From where the robot is now.
+  const Surroundings& around() const;
+  const ObstaclePoints& points() const { return points_; }
+  const FreeFloor& floor() const { return floor_; }
+  const DriftLedger& drift() const { return drift_; }
+  const Pose2& X_OR() const { return X_OR_; }
+  Micros now() const { return now_; }
+  std::uint64_t looks() const { return looks_; }
+  /// Counts up with each change; the same number, the same content.
+  std::uint64_t version() const { return version_; }
+
+  /// Whether a robot this wide can roll straight to `ahead_m` from its origin in this direction: all of that
+  /// strip was seen as floor and nothing stands in it.
+  bool way_clear(double bearing_rad, double width_m, double ahead_m) const;
+
+ private:
+  NearEdge near_;
+  DriftLedger drift_;
+  ObstaclePoints points_;
+  FreeFloor floor_;
+  double body_m_;
+  Pose2 X_OR_;
+  Micros now_ = 0;
+  std::uint64_t looks_ = 0;
+  std::uint64_t version_ = 1;
+  mutable Surroundings around_;
+  mutable std::uint64_t around_version_ = 0;
+};
+
+}  // namespace mirada::memory
