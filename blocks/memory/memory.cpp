@@ -10,6 +10,7 @@ namespace {
 constexpr double kNothing_deg = 180;
 constexpr double kClearWay_m = 0.4;
 constexpr double kFarthestGap_m = 1.5;
+constexpr double kMostTag = 1e6;
 
 double round_to_tenth(double value) { return std::round(value * 10) / 10 + 0.0; }
 
@@ -57,6 +58,51 @@ NativeResult widest_way(robot::Robot& robot, NativeCall&) {
   return NativeResult::of(way ? round_to_tenth(bearing_to_block(*way)) : kNothing_deg);
 }
 
+struct Looking final : vm::NativeState {};
+
+/// Until all round has been looked at, or a look block has taken the neck.
+NativeResult look_around(robot::Robot& robot, NativeCall& call) {
+  if (call.state()) {
+    return robot.watch().looking_around() ? NativeResult::again_at() : NativeResult::finished();
+  }
+  if (!robot.gaze().can_pan()) return NativeResult::failed(messages::no_neck);
+  if (!robot.motion().may_move()) return NativeResult::failed(messages::not_running);
+  robot.watch().look_around();
+  call.state() = std::make_unique<Looking>();
+  return NativeResult::again_at();
+}
+
+NativeResult keep_eye(robot::Robot& robot, NativeCall& call) {
+  if (!robot.gaze().can_pan()) return NativeResult::failed(messages::no_neck);
+  if (!robot.motion().may_move()) return NativeResult::failed(messages::not_running);
+  const std::string what = call.text(0);
+  robot.watch().keep(what == "around"  ? memory::Watching::around
+                     : what == "face"  ? memory::Watching::face
+                     : what == "zones" ? memory::Watching::zones
+                     : what == "ranks" ? memory::Watching::ranked_zones
+                                       : memory::Watching::ahead);
+  return NativeResult::finished();
+}
+
+/// The direction from where the robot is now; 180° when it was never seen.
+NativeResult direction_of(const robot::Robot& robot, ThingKind kind, int id) {
+  const memory::Thing* thing = robot.memory().things().find(kind, id);
+  if (thing == nullptr) return NativeResult::of(kNothing_deg);
+  const Pose2& X_OR = robot.memory().X_OR();
+  const double angle = std::atan2(thing->p_O_m.y() - X_OR.y_m, thing->p_O_m.x() - X_OR.x_m);
+  return NativeResult::of(round_to_tenth(bearing_to_block(wrap_rad(angle - X_OR.heading_rad))));
+}
+
+NativeResult where_was(robot::Robot& robot, NativeCall& call) {
+  return direction_of(robot, call.text(0) == "ball" ? ThingKind::red_ball : ThingKind::face, 0);
+}
+
+NativeResult where_was_tag(robot::Robot& robot, NativeCall& call) {
+  const double number = call.number(0);
+  if (!(std::abs(number) < kMostTag)) return NativeResult::of(kNothing_deg);
+  return direction_of(robot, ThingKind::tag, static_cast<int>(std::lround(number)));
+}
+
 NativeResult forget(robot::Robot& robot, NativeCall&) {
   robot.memory().forget();
   return NativeResult::finished();
@@ -69,6 +115,10 @@ void add_memory_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>
   table["memory_known"] = with_robot(link, known);
   table["memory_way_clear"] = with_robot(link, way_clear);
   table["memory_widest_way"] = with_robot(link, widest_way);
+  table["memory_look_around"] = with_robot(link, look_around);
+  table["memory_keep_eye"] = with_robot(link, keep_eye);
+  table["memory_where_was"] = with_robot(link, where_was);
+  table["memory_where_was_tag"] = with_robot(link, where_was_tag);
   table["memory_forget"] = with_robot(link, forget);
 }
 

@@ -1,19 +1,10 @@
 #pragma once
-#include <string>
 #include <vector>
 
+#include "memory/attention.h"
 #include "memory/segments.h"
-#include "memory/visual_memory.h"
 
 namespace mirada::memory {
-
-/// Where attention will look next, and why (docs/protocol.md).
-struct NextLook {
-  std::string watching = "nothing";  ///< "nothing", "ahead", "around", "face", "zones"
-  std::string why;                   ///< "", "old", "never_seen", "on_the_way", "its_turn", "the_face"
-  double pan_rad = 0;
-  bool moving = false;
-};
 
 /// All that the memory panel draws. Odometry frame O. Immutable once published.
 struct Snapshot {

@@ -1,5 +1,6 @@
 #include "memory/visual_memory.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace mirada::memory {
@@ -8,6 +9,7 @@ namespace {
 constexpr double kEdge_m = 0.03;  // nearest the boundary the floor is left to the obstacle
 constexpr double kSideMargin_m = 0.02;
 constexpr double kCornerPart = 1.8;
+constexpr double kOlder_s_per_m = 4;
 constexpr double kStill_m = 1e-6;
 constexpr double kStill_rad = 1e-6;
 
@@ -29,7 +31,8 @@ void VisualMemory::moved(Micros now, const Pose2& X_OR) {
 
 void VisualMemory::observe(const SonarPercept& sonar) {
   if (sonar.readings.empty()) return;
-  ++looks_;
+  last_look_ = sonar.t_exposure;
+  note_looks(sonar);
   ++version_;
   near_.aim(sonar.neck);
   points_.observe(sonar, near_, drift_);
@@ -47,9 +50,35 @@ void VisualMemory::observe(const SonarPercept& sonar) {
   }
 }
 
+std::size_t VisualMemory::bin(double heading_rad) const {
+  const long i = std::lround(deg(heading_rad) * kLookedBins / 360) % kLookedBins;
+  return static_cast<std::size_t>((i + kLookedBins) % kLookedBins);
+}
+
+void VisualMemory::note_looks(const SonarPercept& sonar) {
+  const Looked now{sonar.t_exposure, drift_.now().tyre_m, true};
+  for (const SonarReading& reading : sonar.readings)
+    looked_[bin(sonar.X_OR.heading_rad + reading.bearing_rad)] = now;
+}
+
+Micros VisualMemory::look_age(double bearing_rad) const {
+  const Looked& looked = looked_[bin(X_OR_.heading_rad + bearing_rad)];
+  if (!looked.ever) return kNeverLooked;
+  const Micros driven = micros(kOlder_s_per_m * (drift_.now().tyre_m - looked.tyre_m));
+  return std::min(now_ - looked.at + driven, kNeverLooked);
+}
+
+void VisualMemory::observe(const ThingSeen& thing, const Pose2& X_OR, Micros t) {
+  things_.observe(thing, X_OR, t, drift_);
+  things_.prune(now_);
+  ++version_;
+}
+
 void VisualMemory::forget() {
+  things_.forget();
   points_.forget();
   floor_.forget();
+  looked_.fill({});
   ++version_;
 }
 

@@ -1,7 +1,8 @@
 #pragma once
-#include <optional>
+#include <array>
 
 #include "memory/surroundings.h"
+#include "memory/things.h"
 
 namespace mirada::memory {
 
@@ -15,7 +16,10 @@ class VisualMemory {
   void moved(Micros now, const Pose2& X_OR);
   /// A picture's answers, at most a second old. It must not be blurred.
   void observe(const SonarPercept& sonar);
+  /// A thing seen from X_OR at `t`.
+  void observe(const ThingSeen& thing, const Pose2& X_OR, Micros t);
   void forget();
+  const Things& things() const { return things_; }
 
   /// From where the robot is now.
   const Surroundings& around() const;
@@ -24,7 +28,12 @@ class VisualMemory {
   const DriftLedger& drift() const { return drift_; }
   const Pose2& X_OR() const { return X_OR_; }
   Micros now() const { return now_; }
-  std::uint64_t looks() const { return looks_; }
+  /// How long ago the last picture was taken that showed this direction: driving makes it older (4 s a
+  /// metre). kNeverLooked at most.
+  Micros look_age(double bearing_rad) const;
+  static constexpr Micros kNeverLooked = 20 * kSecond;
+  /// The exposure of the newest picture that was remembered.
+  Micros last_look() const { return last_look_; }
   /// Counts up with each change; the same number, the same content.
   std::uint64_t version() const { return version_; }
 
@@ -37,10 +46,21 @@ class VisualMemory {
   DriftLedger drift_;
   ObstaclePoints points_;
   FreeFloor floor_;
+  Things things_;
   double body_m_;
   Pose2 X_OR_;
   Micros now_ = 0;
-  std::uint64_t looks_ = 0;
+  struct Looked {
+    Micros at = 0;
+    double tyre_m = 0;
+    bool ever = false;
+  };
+  static constexpr int kLookedBins = 72;
+  std::size_t bin(double heading_rad) const;
+  void note_looks(const SonarPercept& sonar);
+
+  std::array<Looked, kLookedBins> looked_{};  ///< by heading in O, 5 degrees each
+  Micros last_look_ = 0;
   std::uint64_t version_ = 1;
   mutable Surroundings around_;
   mutable std::uint64_t around_version_ = 0;

@@ -56,10 +56,30 @@ struct FacesPercept {
   std::vector<FacePercept> faces;  ///< largest first
 };
 
+enum class ThingKind { face, tag, red_ball };
+
+/// Something with a name, and where it stands: from the robot's origin, along the floor, bearing positive
+/// left; sigma of the distance.
+struct ThingSeen {
+  ThingKind kind = ThingKind::face;
+  int id = 0;  ///< of a tag
+  double bearing_rad = 0;
+  double distance_m = 0;
+  double sigma_m = 0;
+};
+
+struct ThingsPercept {
+  std::uint64_t frame = 0;
+  Micros t_exposure = 0;
+  Pose2 X_OR;  ///< odometry at the exposure
+  std::vector<ThingSeen> things;
+};
+
 /// All that is perceived now. Immutable once published; blocks read the newest snapshot.
 struct Percepts {
   SonarPercept sonar;
   FacesPercept faces;
+  ThingsPercept things;
 };
 
 }  // namespace mirada

@@ -3,7 +3,9 @@
 #include <memory>
 #include <optional>
 
+#include "vision/ball_finder.h"
 #include "vision/face_finder.h"
+#include "vision/tags/tag_spotter.h"
 #include "vision/visual_sonar.h"
 
 namespace mirada::rig {
@@ -25,16 +27,48 @@ class LazyFaceFinder {
   std::optional<Result<std::unique_ptr<vision::FaceFinder>>> finder_;
 };
 
+constexpr double kTag_m = 0.1;  // the black square's side
+constexpr double kTagDistanceShare = 0.03;
+
+/// Tags and balls; opens what it needs at its first picture.
+class ThingFinder {
+ public:
+  explicit ThingFinder(const RobotConfig& robot) : robot_(robot), balls_(robot) {}
+
+  ThingsPercept find(const Frame& frame, const NeckAngles& neck, const Pose2& X_OR) {
+    if (!tags_) tags_.emplace(robot_, kTag_m);
+    ThingsPercept out;
+    out.frame = frame.number;
+    out.t_exposure = frame.t_exposure;
+    out.X_OR = X_OR;
+    for (const vision::TagSpot& tag : tags_->look(frame, neck)) {
+      out.things.push_back(
+          {ThingKind::tag, tag.id, tag.bearing_rad, tag.distance_m, kTagDistanceShare * tag.distance_m});
+    }
+    if (const auto ball = balls_.find(frame, neck)) out.things.push_back(*ball);
+    return out;
+  }
+
+ private:
+  RobotConfig robot_;
+  vision::BallFinder balls_;
+  std::optional<vision::TagSpotter> tags_;
+};
+
 }  // namespace
 
 robot::Detectors make_detectors(const RobotConfig& robot) {
   const auto sonar = std::make_shared<vision::VisualSonar>(robot);
   const auto faces = std::make_shared<LazyFaceFinder>(robot);
+  const auto things = std::make_shared<ThingFinder>(robot);
   robot::Detectors out;
   out.sonar = [sonar](const Frame& frame, const NeckAngles& neck, const Pose2& X_OR) {
     return sonar->look(frame, neck, X_OR);
   };
   out.faces = [faces](const Frame& frame, const NeckAngles& neck) { return faces->find(frame, neck); };
+  out.things = [things](const Frame& frame, const NeckAngles& neck, const Pose2& X_OR) {
+    return things->find(frame, neck, X_OR);
+  };
   out.forget_floor = [sonar] { sonar->forget(); };
   return out;
 }

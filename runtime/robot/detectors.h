@@ -13,6 +13,8 @@ struct Detectors {
   std::function<SonarPercept(const Frame&, const NeckAngles&, const Pose2&)> sonar;
   /// A fault in words when faces cannot be looked for at all. Live it is called on a thread of its own.
   std::function<Result<FacesPercept>(const Frame&, const NeckAngles&)> faces;
+  /// Tags and balls.
+  std::function<ThingsPercept(const Frame&, const NeckAngles&, const Pose2&)> things;
   /// Forgets what was learnt about the floor.
   std::function<void()> forget_floor;
 };

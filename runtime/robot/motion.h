@@ -48,6 +48,7 @@ class Motion {
   std::optional<MotionOwner> end_set_speeds();
   /// Zero while paused; afterwards a drive or a turn goes on to where it wanted to go.
   void pause(bool on) { paused_ = on; }
+  bool paused() const { return paused_; }
 
   MotionState state(MotionTicket ticket) const;
   const MotionOwner& owner() const { return owner_; }

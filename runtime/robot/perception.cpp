@@ -3,6 +3,9 @@
 #include "robot/messages.h"
 
 namespace mirada::robot {
+namespace {
+constexpr std::uint64_t kThingsEvery = 3;  // pictures; tags and balls do not run away
+}
 
 Perception::Perception(hal::Camera* camera, Detectors detectors, const LatencyConfig& latency, Timing timing)
     : camera_(camera), detectors_(std::move(detectors)), latency_(latency), timing_(timing) {}
@@ -38,6 +41,10 @@ void Perception::look(const Frame& frame, Micros now, const MotionHistory& histo
     const Micros due = timing_ == Timing::live ? now : now + latency_.sonar_us;
     sonar_due_.push_back({due, detectors_.sonar(frame, then.neck, then.X_OR)});
   }
+  if (needs_.things && detectors_.things && frame.number % kThingsEvery == 0) {
+    const Micros due = timing_ == Timing::live ? now : now + latency_.sonar_us;
+    things_due_.push_back({due, detectors_.things(frame, then.neck, then.X_OR)});
+  }
   if (needs_.faces && detectors_.faces) look_for_faces(frame, now, then.neck);
 }
 
@@ -71,6 +78,9 @@ void Perception::publish(Micros now) {
   for (; !faces_due_.empty() && faces_due_.front().at <= now; faces_due_.pop_front()) {
     draft().faces = std::move(faces_due_.front().percept);
   }
+  for (; !things_due_.empty() && things_due_.front().at <= now; things_due_.pop_front()) {
+    draft().things = std::move(things_due_.front().percept);
+  }
   if (next) percepts_ = std::move(next);
 }
 
@@ -78,6 +88,7 @@ void Perception::forget() {
   if (detectors_.forget_floor) detectors_.forget_floor();
   sonar_due_.clear();
   faces_due_.clear();
+  things_due_.clear();
   percepts_ = std::make_shared<const Percepts>();
 }
 

@@ -21,10 +21,12 @@ struct Needs {
   bool sonar = false;
   bool faces = false;
   bool memory = false;  ///< remember what is seen; wants sonar too
+  bool things = false;  ///< tags and balls
 
-  bool any() const { return frames || sonar || faces || memory; }
+  bool any() const { return frames || sonar || faces || memory || things; }
   Needs operator|(const Needs& other) const {
-    return {frames || other.frames, sonar || other.sonar, faces || other.faces, memory || other.memory};
+    return {frames || other.frames, sonar || other.sonar, faces || other.faces, memory || other.memory,
+            things || other.things};
   }
   bool operator==(const Needs&) const = default;
 };
@@ -74,6 +76,7 @@ class Perception {
   std::shared_ptr<const Percepts> percepts_ = std::make_shared<const Percepts>();
   std::deque<Due<SonarPercept>> sonar_due_;
   std::deque<Due<FacesPercept>> faces_due_;
+  std::deque<Due<ThingsPercept>> things_due_;
   std::optional<Fault> faces_trouble_;
   std::unique_ptr<FaceWorker> face_worker_;
 };

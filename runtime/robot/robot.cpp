@@ -1,9 +1,13 @@
 #include "robot/robot.h"
 
+#include <algorithm>
+
 namespace mirada::robot {
 namespace {
 constexpr std::size_t kMostNotes = 100;
-}
+constexpr double kFaceWidth_m = 0.15;  // a head's; children's and grown-ups' differ by this share
+constexpr double kFaceShare = 0.3;
+}  // namespace
 
 Robot::Robot(RobotConfig config, const Devices& devices, Detectors detectors, Timing timing,
              const Clock& clock, const Clock& guard)
@@ -14,14 +18,17 @@ Robot::Robot(RobotConfig config, const Devices& devices, Detectors detectors, Ti
       motion_(config_.drive, safety_),
       gaze_(devices.neck, config_.neck),
       perception_(devices.camera, std::move(detectors), config_.latency, timing),
-      memory_(config_) {}
+      memory_(config_),
+      watch_(gaze_, config_) {}
 
 void Robot::observe() {
   if (devices_.drive != nullptr) odometry_ = devices_.drive->odometry();
   history_.record(now(), {odometry_.X_OR, gaze_.state(now()).angles});
   if (perception_.step(now(), history_)) safety_.frame_seen(now() - perception_.frame().t_exposure);
   memory_.moved(now(), odometry_.X_OR);
-  if (perception_.needs().memory) remember();
+  if (!perception_.needs().memory) return;
+  remember();
+  remember_things();
 }
 
 void Robot::remember() {
@@ -31,11 +38,49 @@ void Robot::remember() {
   if (sonar.frame != 0 && history_.steady(sonar.t_exposure)) memory_.observe(sonar);
 }
 
+void Robot::remember_things() {
+  const Percepts& seen = *perception_.percepts();
+  if (seen.things.frame != remembered_things_) {
+    remembered_things_ = seen.things.frame;
+    for (const ThingSeen& thing : seen.things.things)
+      memory_.observe(thing, seen.things.X_OR, seen.things.t_exposure);
+  }
+  if (seen.faces.frame == remembered_faces_) return;
+  remembered_faces_ = seen.faces.frame;
+  if (seen.faces.faces.empty()) return;
+  const FacePercept& face = seen.faces.faces.front();
+  const double focal_px = config_.camera.fx_px * seen.faces.picture_width_px / config_.camera.width_px;
+  ThingSeen thing;
+  thing.bearing_rad = face.bearing_rad;
+  thing.distance_m = kFaceWidth_m * focal_px / std::max(face.w_px, 1.0);
+  thing.sigma_m = kFaceShare * thing.distance_m;
+  memory_.observe(thing, history_.at(seen.faces.t_exposure).X_OR, seen.faces.t_exposure);
+}
+
 Recall Robot::obstacle_at(double bearing_rad) const {
   return recall(sonar(), perception_.percepts()->sonar.t_exposure, memory_, bearing_rad);
 }
 
-Safety::Verdict Robot::act() { return motion_.step(now(), odometry_); }
+Safety::Verdict Robot::act() {
+  if (!motion_.paused()) attend();
+  return motion_.step(now(), odometry_);
+}
+
+void Robot::attend() {
+  Watch::Sight sight;
+  sight.now = now();
+  sight.speed_mps = (odometry_.speed.left_mps + odometry_.speed.right_mps) / 2;
+  sight.turn_radps = (odometry_.speed.right_mps - odometry_.speed.left_mps) / config_.drive.track_m;
+  if (const FacesPercept* seen = faces(); seen != nullptr && !seen->faces.empty())
+    sight.face_rad = seen->faces.front().bearing_rad;
+  watch_.step(memory_, sight);
+}
+
+Needs Robot::own_needs() const {
+  Needs needs;
+  needs.faces = watch_.keeping() == memory::Watching::face;
+  return needs;
+}
 
 SonarView Robot::sonar() const { return {perception_.percepts()->sonar, odometry_.X_OR, now()}; }
 
@@ -56,6 +101,7 @@ std::vector<Note> Robot::take_notes() { return std::exchange(notes_, {}); }
 
 void Robot::forget() {
   memory_.forget();
+  watch_.rest();
   history_.clear();
   perception_.forget();
 }

@@ -10,6 +10,7 @@
 #include "robot/perception.h"
 #include "robot/recall.h"
 #include "robot/seeing.h"
+#include "robot/watch.h"
 
 namespace mirada::robot {
 
@@ -47,7 +48,11 @@ class Robot {
   Perception& perception() { return perception_; }
   const Perception& perception() const { return perception_; }
   const hal::Odometry& odometry() const { return odometry_; }
+  /// What the robot itself wants to see, for what it was told to do.
+  Needs own_needs() const;
   SonarView sonar() const;
+  Watch& watch() { return watch_; }
+  const Watch& watch() const { return watch_; }
   memory::VisualMemory& memory() { return memory_; }
   const memory::VisualMemory& memory() const { return memory_; }
   /// In view: what is seen now. Elsewhere: what is remembered.
@@ -63,6 +68,8 @@ class Robot {
 
  private:
   void remember();
+  void remember_things();
+  void attend();
 
   RobotConfig config_;
   Devices devices_;
@@ -73,7 +80,10 @@ class Robot {
   Perception perception_;
   MotionHistory history_;
   memory::VisualMemory memory_;
+  Watch watch_;
   std::uint64_t remembered_frame_ = 0;
+  std::uint64_t remembered_things_ = 0;
+  std::uint64_t remembered_faces_ = 0;
   hal::Odometry odometry_;
   std::vector<Note> notes_;
 };

@@ -58,7 +58,8 @@ robot::Needs needs_of(const std::set<std::string>& names) {
   needs.faces = names.contains("faces");
   needs.memory = names.contains("memory");
   needs.sonar = needs.sonar || needs.memory;
-  needs.frames = needs.sonar || needs.faces;
+  needs.things = names.contains("things");
+  needs.frames = needs.sonar || needs.faces || needs.things;
   return needs;
 }
 

@@ -74,6 +74,16 @@ void RunHash::percepts(const Percepts& percepts) {
       number(reading.sigma_m, kMetre);
     }
   }
+  if (percepts.things.frame != things_frame_) {
+    things_frame_ = percepts.things.frame;
+    impl_->add('T');
+    impl_->add(percepts.things.t_exposure);
+    for (const ThingSeen& thing : percepts.things.things) {
+      impl_->add(thing.id);
+      number(thing.bearing_rad, kRadian);
+      number(thing.distance_m, kMetre);
+    }
+  }
   if (percepts.faces.frame == faces_frame_) return;
   faces_frame_ = percepts.faces.frame;
   impl_->add('F');

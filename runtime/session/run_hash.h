@@ -30,6 +30,7 @@ class RunHash {
   std::unique_ptr<Impl> impl_;
   std::uint64_t sonar_frame_ = 0;
   std::uint64_t faces_frame_ = 0;
+  std::uint64_t things_frame_ = 0;
 };
 
 }  // namespace mirada::session

@@ -65,6 +65,7 @@ void Session::stop(StopReason why) {
   machine_->stop();
   collect();
   robot_->motion().begin_run(0);
+  robot_->watch().rest();
   robot_->gaze().hold();
   host_.clear_bubble();
   program_needs_ = {};
@@ -102,7 +103,7 @@ void Session::want(const Wanted& wanted) {
 
 void Session::update_needs() {
   const robot::Needs panels{wanted_.camera, wanted_.sonar, wanted_.faces, wanted_.memory};
-  robot_->perception().need(panels | program_needs_ | evaluations_.needs());
+  robot_->perception().need(panels | program_needs_ | evaluations_.needs() | own_needs_);
 }
 
 void Session::begin_when_warm() {
@@ -151,6 +152,10 @@ void Session::tick() {
     if (!first_tick_) host_.advance(dt);
     first_tick_ = false;
     run_scripts();
+  }
+  if (const robot::Needs own = robot_->own_needs(); !(own == own_needs_)) {
+    own_needs_ = own;
+    update_needs();
   }
   robot_->act();
 }
@@ -228,6 +233,7 @@ Telemetry Session::snapshot() const {
   out.neck = robot_->gaze().state(robot_->now()).angles;
   if (wanted_.memory) {
     auto memory = std::make_shared<memory::Snapshot>(memory::snapshot_of(robot_->memory()));
+    memory->next = robot_->watch().next();
     memory->neck = out.neck;
     memory->hfov_rad = robot_->config().camera.hfov_rad();
     out.memory = std::move(memory);

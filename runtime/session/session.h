@@ -91,6 +91,7 @@ class Session {
   std::string program_json_;
   Wanted wanted_;
   robot::Needs program_needs_;
+  robot::Needs own_needs_;
   Phase phase_ = Phase::idle;
   bool paused_ = false;
   bool faulted_ = false;
