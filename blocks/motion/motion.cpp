@@ -1,17 +1,7 @@
-#include "blocks/call_checks.h"
+#include "blocks/motion/moving.h"
 #include "model/angles.h"
 
 namespace mirada::blocks {
-namespace {
-
-constexpr double kMostDistance_cm = 1'000;
-constexpr double kMostTurn_deg = 3'600;
-constexpr double kMostSpeed_percent = 100;
-
-struct MotionInHand final : vm::NativeState {
-  explicit MotionInHand(robot::MotionTicket of) : ticket(of) {}
-  robot::MotionTicket ticket;
-};
 
 std::optional<NativeResult> cannot_move(robot::Robot& robot) {
   if (!robot.safety().has_drive()) return NativeResult::failed(messages::no_drive);
@@ -21,8 +11,7 @@ std::optional<NativeResult> cannot_move(robot::Robot& robot) {
 
 robot::MotionOwner owner_of(const NativeCall& call) { return {call.thread().value, call.block()}; }
 
-/// The turns after the first: until the motion has ended, one way or another.
-NativeResult follow(robot::Robot& robot, NativeCall& call) {
+NativeResult follow_motion(robot::Robot& robot, NativeCall& call) {
   const auto& in_hand = static_cast<const MotionInHand&>(*call.state());
   const robot::MotionState state = robot.motion().state(in_hand.ticket);
   if (state == robot::MotionState::going) return NativeResult::again_at();
@@ -32,8 +21,14 @@ NativeResult follow(robot::Robot& robot, NativeCall& call) {
   return NativeResult::finished();
 }
 
+namespace {
+
+constexpr double kMostDistance_cm = 1'000;
+constexpr double kMostTurn_deg = 3'600;
+constexpr double kMostSpeed_percent = 100;
+
 NativeResult drive(robot::Robot& robot, NativeCall& call) {
-  if (call.state()) return follow(robot, call);
+  if (call.state()) return follow_motion(robot, call);
   if (auto why = cannot_move(robot)) return *why;
   const double distance_cm = call.number(1);
   if (auto why = refused(distance_cm, -kMostDistance_cm, kMostDistance_cm, "cm")) return *why;
@@ -44,7 +39,7 @@ NativeResult drive(robot::Robot& robot, NativeCall& call) {
 }
 
 NativeResult turn(robot::Robot& robot, NativeCall& call) {
-  if (call.state()) return follow(robot, call);
+  if (call.state()) return follow_motion(robot, call);
   if (auto why = cannot_move(robot)) return *why;
   const double angle_deg = call.number(1);
   if (auto why = refused(angle_deg, -kMostTurn_deg, kMostTurn_deg, "°")) return *why;
@@ -77,6 +72,7 @@ void add_motion_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>
   table["motion_turn"] = with_robot(link, turn);
   table["motion_set_speeds"] = with_robot(link, set_speeds);
   table["motion_stop"] = with_robot(link, stop);
+  add_driving_blocks(table, link);
 }
 
 }  // namespace mirada::blocks

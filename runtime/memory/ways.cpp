@@ -48,6 +48,9 @@ std::vector<Way> ways(const VisualMemory& memory, double width_m, double most_m)
     way.width_m = run.length >= 180 ? 2 * needed_m : 2 * needed_m * std::sin(opening_rad / 2);
     way.bearing_rad = wrap_rad(rad(run.first) + opening_rad / 2 - rad(0.5));
     way.free_m = around.at(way.bearing_rad).free_m;
+    const double right_m = around.at(rad(run.first - 2)).distance_m;
+    const double left_m = around.at(rad(run.first + run.length + 1)).distance_m;
+    way.edge_m = std::min(std::max(right_m, left_m), way.free_m);
     if (way.width_m >= width_m) out.push_back(way);
   }
   return out;
@@ -58,6 +61,15 @@ std::optional<double> widest_way(const VisualMemory& memory, double width_m, dou
   const auto best = std::max_element(all.begin(), all.end(),
                                      [](const Way& a, const Way& b) { return a.width_m < b.width_m; });
   return best == all.end() ? std::nullopt : std::optional(best->bearing_rad);
+}
+
+std::optional<Way> gap_near(const VisualMemory& memory, double bearing_rad, double width_m, double most_m,
+                            double within_rad) {
+  const std::vector<Way> all = ways(memory, width_m, most_m);
+  const auto off = [&](const Way& way) { return std::abs(wrap_rad(way.bearing_rad - bearing_rad)); };
+  const auto best =
+      std::min_element(all.begin(), all.end(), [&](const Way& a, const Way& b) { return off(a) < off(b); });
+  return best == all.end() || off(*best) > within_rad ? std::nullopt : std::optional(*best);
 }
 
 }  // namespace mirada::memory

@@ -27,6 +27,9 @@ inline constexpr Message tilt_clamped{
 inline constexpr Message not_getting_there{"not_getting_there",
                                            "I am not getting there. Is something in my way?",
                                            "No consigo llegar. ¿Hay algo en mi camino?"};
+inline constexpr Message no_gap_there{"no_gap_there",
+                                      "I know no gap there that I fit through. Look around first.",
+                                      "Ahí no conozco ningún hueco por el que quepa. Mira antes alrededor."};
 inline constexpr Message faces_unavailable{"faces_unavailable", "I can't look for faces here: {reason}",
                                            "Aquí no puedo buscar caras: {reason}"};
 

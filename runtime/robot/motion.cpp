@@ -69,6 +69,24 @@ MotionTicket Motion::set_speeds(const WheelSpeeds& target, MotionOwner owner) {
   return begin(Kind::speeds, 0, std::move(owner));
 }
 
+MotionTicket Motion::steered(MotionOwner owner) {
+  target_ = {};
+  return begin(Kind::steered, 0, std::move(owner));
+}
+
+void Motion::steer(MotionTicket ticket, const WheelSpeeds& target) {
+  if (ticket != ticket_ || kind_ != Kind::steered) return;
+  const double most = std::max(std::abs(target.left_mps), std::abs(target.right_mps));
+  const double scale = most > drive_.max_wheel_mps ? drive_.max_wheel_mps / most : 1;
+  target_ = {scale * target.left_mps, scale * target.right_mps};
+}
+
+void Motion::finish_steered(MotionTicket ticket, MotionState how) {
+  if (ticket != ticket_ || kind_ != Kind::steered) return;
+  finish(how);
+  command_ = {};
+}
+
 void Motion::halt() {
   finish(MotionState::overtaken);
   command_ = {};
@@ -86,8 +104,8 @@ void Motion::script_ended(std::uint64_t script) {
 }
 
 std::optional<MotionOwner> Motion::end_set_speeds() {
-  if (kind_ != Kind::speeds) return std::nullopt;
-  const bool moving = target_.left_mps != 0 || target_.right_mps != 0;
+  if (kind_ != Kind::speeds && kind_ != Kind::steered) return std::nullopt;
+  const bool moving = kind_ == Kind::steered || target_.left_mps != 0 || target_.right_mps != 0;
   halt();
   return moving ? std::optional(owner_) : std::nullopt;
 }

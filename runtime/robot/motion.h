@@ -40,11 +40,16 @@ class Motion {
   MotionTicket turn(double angle_rad, MotionOwner owner);    ///< positive left
   /// Goes on until something else is asked for.
   MotionTicket set_speeds(const WheelSpeeds& target, MotionOwner owner);
+  /// A motion whose speeds somebody gives step by step, until finish_steered() or something else is asked
+  /// for.
+  MotionTicket steered(MotionOwner owner);
+  void steer(MotionTicket ticket, const WheelSpeeds& target);
+  void finish_steered(MotionTicket ticket, MotionState how);
   /// Brakes now, without a ramp.
   void halt();
   /// halt(), if this script started the motion that is going on.
   void script_ended(std::uint64_t script);
-  /// halt(), if it is set speeds that is going on; who asked for it.
+  /// halt(), if it is set speeds or a steered motion that is going on; who asked for it.
   std::optional<MotionOwner> end_set_speeds();
   /// Zero while paused; afterwards a drive or a turn goes on to where it wanted to go.
   void pause(bool on) { paused_ = on; }
@@ -57,7 +62,7 @@ class Motion {
   Safety::Verdict step(Micros now, const hal::Odometry& odometry);
 
  private:
-  enum class Kind { none, drive, turn, speeds };
+  enum class Kind { none, drive, turn, speeds, steered };
   struct Stall {
     Micros since = 0;
     double remaining = 0;

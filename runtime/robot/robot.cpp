@@ -19,7 +19,8 @@ Robot::Robot(RobotConfig config, const Devices& devices, Detectors detectors, Ti
       gaze_(devices.neck, config_.neck),
       perception_(devices.camera, std::move(detectors), config_.latency, timing),
       memory_(config_),
-      watch_(gaze_, config_) {}
+      watch_(gaze_, config_),
+      pilot_(motion_, watch_, config_) {}
 
 void Robot::observe() {
   if (devices_.drive != nullptr) odometry_ = devices_.drive->odometry();
@@ -63,6 +64,7 @@ Recall Robot::obstacle_at(double bearing_rad) const {
 
 Safety::Verdict Robot::act() {
   if (!motion_.paused()) attend();
+  pilot_.step(now(), memory_);
   return motion_.step(now(), odometry_);
 }
 

@@ -8,6 +8,7 @@
 #include "robot/gaze.h"
 #include "robot/motion.h"
 #include "robot/perception.h"
+#include "robot/pilot.h"
 #include "robot/recall.h"
 #include "robot/seeing.h"
 #include "robot/watch.h"
@@ -51,6 +52,10 @@ class Robot {
   /// What the robot itself wants to see, for what it was told to do.
   Needs own_needs() const;
   SonarView sonar() const;
+  Pilot& pilot() { return pilot_; }
+  /// Where a run began, in O: what "where I started" means.
+  void mark_start() { X_OS_ = odometry_.X_OR; }
+  const Pose2& start_pose() const { return X_OS_; }
   Watch& watch() { return watch_; }
   const Watch& watch() const { return watch_; }
   memory::VisualMemory& memory() { return memory_; }
@@ -81,6 +86,8 @@ class Robot {
   MotionHistory history_;
   memory::VisualMemory memory_;
   Watch watch_;
+  Pilot pilot_;
+  Pose2 X_OS_;
   std::uint64_t remembered_frame_ = 0;
   std::uint64_t remembered_things_ = 0;
   std::uint64_t remembered_faces_ = 0;

@@ -34,6 +34,11 @@ void Watch::rest() {
   next_ = {};
 }
 
+void Watch::rest_ahead() {
+  rest();
+  gaze_->pan_to(0);
+}
+
 memory::GazeRange Watch::range(const Sight& sight) const {
   memory::GazeRange out;
   out.pan = gaze_->pan_joint();

@@ -20,6 +20,8 @@ class Watch {
   /// what it kept an eye on.
   void look_around();
   bool looking_around() const { return !stops_.empty(); }
+  /// rest(), and the camera ahead.
+  void rest_ahead();
   /// The neck is somebody else's.
   void rest();
 

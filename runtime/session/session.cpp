@@ -120,6 +120,7 @@ void Session::begin_when_warm() {
   }
   const bool uses_camera = program_needs_.any() && robot_->perception().has_camera();
   phase_ = Phase::running;
+  robot_->mark_start();
   robot_->motion().begin_run(robot_->safety().arm(permit_, uses_camera));
 }
 

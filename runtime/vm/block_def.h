@@ -37,7 +37,7 @@ struct BlockDef {
   std::string text_en;
   std::string text_es;
   std::vector<ArgDef> args;
-  std::vector<std::string> needs;  ///< "sonar", "faces", "memory", "drive", "neck": devices and percepts
+  std::vector<std::string> needs;  ///< "sonar", "faces", "drive", "neck": devices and percepts
   Implementation implementation = Implementation::native;
   NativeFn native;       ///< empty unless implementation is native
   bool visible = false;  ///< its script takes no further turn in this tick (devices, percepts, say)

@@ -20,7 +20,8 @@ describe('the toolbox', () => {
 
   it('finds blocks by words of their text, without accents', () => {
     const found = (query: string) => searchBlocks(catalog, query).map((block) => block.opcode);
-    expect(found('obst dist')).toEqual(['vision_obstacle_distance']);
+    expect(found('obst dist')).toEqual(expect.arrayContaining(['vision_obstacle_distance', 'memory_known']));
+    expect(found('obst dist at')).not.toContain('vision_way_clear');
     lang.value = 'es';
     expect(found('direccion obstaculo')).toContain('vision_nearest_direction');
     lang.value = 'en';

@@ -1,0 +1,43 @@
+import { describe, expect, it } from 'vitest';
+import { attentionWords } from '../src/stage/memory';
+import { memoryView, onCanvas, strength } from '../src/stage/memory_draw';
+import type { Memory } from '../src/wire/protocol';
+
+const robot = { x_m: 1, y_m: 2, heading_deg: 90, pan_deg: 0, hfov_deg: 62 };
+const memory: Memory = {
+  robot,
+  places: [
+    [1, 3, 0.02, 0],
+    [1, 1, 0.02, 5],
+  ],
+  segments: [],
+  free: [],
+  next: { watching: 'nothing', why: '', pan_deg: 0, moving: false },
+};
+
+describe('the memory from above', () => {
+  it('has the robot in the middle, its front up and its left to the left', () => {
+    const view = memoryView(520, 520);
+    expect(view.scale).toBeCloseTo(100);
+    const ahead = onCanvas(view, robot, [1, 3]);
+    expect(ahead[0]).toBeCloseTo(260);
+    expect(ahead[1]).toBeCloseTo(160);
+    const left = onCanvas(view, robot, [0, 2]);
+    expect(left[0]).toBeCloseTo(160);
+    expect(left[1]).toBeCloseTo(260);
+  });
+
+  it('fades with age, and never quite away', () => {
+    expect(strength(0)).toBe(1);
+    expect(strength(10)).toBeLessThan(1);
+    expect(strength(10)).toBeGreaterThan(strength(30));
+    expect(strength(1000)).toBeCloseTo(0.18);
+  });
+
+  it('says why attention looks where it looks, else how much is remembered', () => {
+    expect(attentionWords(null)).toBe('');
+    expect(attentionWords(memory)).toContain('2');
+    const old = { ...memory, next: { ...memory.next, watching: 'around', why: 'old' } };
+    expect(attentionWords(old)).not.toBe(attentionWords(memory));
+  });
+});
