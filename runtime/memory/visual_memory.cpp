@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kEdge_m = 0.03;  // nearest the boundary the floor is left to the obstacle
 constexpr double kSideMargin_m = 0.02;
+constexpr std::uint64_t kPruneEvery = 16;  // pictures
 constexpr double kCornerPart = 1.8;
 constexpr double kOlder_s_per_m = 4;
 constexpr double kStill_m = 1e-6;
@@ -36,7 +37,9 @@ void VisualMemory::observe(const SonarPercept& sonar) {
   ++version_;
   near_.aim(sonar.neck);
   points_.observe(sonar, near_, drift_);
-  points_.prune(now_, drift_);
+  // What is too old or too unsure is looked for now and then, for it costs a look at every place.
+  if (sonar.frame % kPruneEvery == 0 || points_.all().size() > ObstaclePoints::kMost)
+    points_.prune(now_, drift_);
   const Pose2& X = sonar.X_OR;
   // What the robot stands on is free.
   for (double x = -body_m_; x <= body_m_; x += FreeFloor::kCell_m)
