@@ -80,10 +80,24 @@ void FunctionBuilder::settle(std::int32_t& operand) const {
   if (operand >= kOutgoing) operand += static_cast<std::int32_t>(kinds_.size()) - kOutgoing;
 }
 
+/// A jump to where the function ends is that end.
+void FunctionBuilder::shorten_ways_out() {
+  for (std::size_t i = 0; i < out_.code.size(); ++i) {
+    Instr& instr = out_.code[i];
+    if (instr.op != Op::jump) continue;
+    const Instr& there = out_.code[i + static_cast<std::size_t>(instr.c)];
+    const unsigned executions = unsigned{instr.executions} + there.executions;
+    if (there.op == Op::ret && executions <= 0xFFFF)
+      instr = {.executions = static_cast<std::uint16_t>(executions), .op = Op::ret};
+  }
+}
+
 void FunctionBuilder::finish() {
   assert(pending_ == 0);
+  shorten_ways_out();
   for (Instr& instr : out_.code) {
     settle(instr.a);
+    if (instr.op == Op::call) instr.c = static_cast<std::int32_t>(kinds_.size());
     instr.run = handler_of(instr);
   }
   out_.frame_size = static_cast<std::uint32_t>(kinds_.size());

@@ -52,6 +52,7 @@ class FunctionBuilder {
  private:
   static constexpr std::int32_t kOutgoing = 1 << 24;
   void flush_count();
+  void shorten_ways_out();
   void settle(std::int32_t& operand) const;
 
   Function& out_;

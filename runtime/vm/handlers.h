@@ -30,6 +30,9 @@ const Instr* fail(const Instr* at, Turn& turn, const Message& message, MessageAr
 const Instr* fail_memory(const Instr* at, Turn& turn);
 /// What dear instructions cost beside the block execution that they are.
 const Instr* charge(const Instr* next, Turn& turn, std::size_t work);
+/// Whether somebody wants the tick to end (Stop): long instructions ask now and then, give up, and are begun
+/// again when the script goes on.
+inline bool hurried(const Turn& turn) { return turn.machine->interrupted.load(std::memory_order_relaxed); }
 double slow_mod(double a, double b);
 const Instr* slow_add_number(const Instr* at, List& list, double number, Turn& turn);
 

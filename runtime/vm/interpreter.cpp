@@ -25,23 +25,37 @@ Slot& reg(Slot* frame, Slot* globals, std::int32_t operand) {
 
 // A result that is no number may come from an operand that is none, which counts as 0.
 HOT_HANDLER(add) {
-  const double r = B + C;
-  A = r == r ? r : plain(B) + plain(C);
+  double r = B + C;
+  if (r != r) [[unlikely]]
+    r = plain(B) + plain(C);
+  A = r;
   NEXT(at + 1);
 }
 HOT_HANDLER(subtract) {
-  const double r = B - C;
-  A = r == r ? r : plain(B) - plain(C);
+  double r = B - C;
+  if (r != r) [[unlikely]]
+    r = plain(B) - plain(C);
+  A = r;
   NEXT(at + 1);
 }
 HOT_HANDLER(multiply) {
-  const double r = B * C;
-  A = r == r ? r : plain(B) * plain(C);
+  double r = B * C;
+  if (r != r) [[unlikely]]
+    r = plain(B) * plain(C);
+  A = r;
   NEXT(at + 1);
 }
 HOT_HANDLER(divide) {
-  const double r = B / C;
-  A = r == r ? r : plain(B) / plain(C);
+  double r = B / C;
+  if (r != r) [[unlikely]]
+    r = plain(B) / plain(C);
+  A = r;
+  NEXT(at + 1);
+}
+/// mod where an operand is not a small whole number above 0. A function of its own, so that the usual way
+/// needs no stack.
+[[gnu::noinline]] const Instr* mod_of_any(const Instr* at, Slot* f, Slot* g, Turn& t) {
+  any_reg(f, g, at->a).n = slow_mod(any_reg(f, g, at->b).n, any_reg(f, g, at->c).n);
   NEXT(at + 1);
 }
 HOT_HANDLER(mod) {
@@ -49,11 +63,11 @@ HOT_HANDLER(mod) {
   const double y = C;
   const auto ix = static_cast<std::int32_t>(x);
   const auto iy = static_cast<std::int32_t>(y);
-  if (static_cast<double>(ix) == x && static_cast<double>(iy) == y && ix > 0 && iy > 0) [[likely]] {
-    A = static_cast<double>(static_cast<std::uint32_t>(ix) % static_cast<std::uint32_t>(iy));
-  } else {
-    A = slow_mod(x, y);
-  }
+  const bool whole = static_cast<double>(ix) == x && static_cast<double>(iy) == y;
+  if (!whole || ix <= 0 || iy <= 0) [[unlikely]]
+    return mod_of_any(at, f, g, t);
+  A = static_cast<double>(
+      static_cast<std::int32_t>(static_cast<std::uint32_t>(ix) % static_cast<std::uint32_t>(iy)));
   NEXT(at + 1);
 }
 HOT_HANDLER(set) {

@@ -108,33 +108,25 @@ HANDLER(warp_off) {
   return at + 1;
 }
 
-HANDLER(call) {
+namespace {
+
+/// A call that needs more than a frame: values among its registers, memory, a yield.
+[[gnu::noinline]] const Instr* call_slowly(const Instr* at, Slot* f, Slot* g, Turn& t) {
   Thread& thread = *t.thread;
   const Function& function = t.functions[at->a];
-  const std::uint32_t caller_size = thread.frames.back().function->frame_size;
-  const std::uint32_t base = thread.frames.back().base + caller_size;
+  const std::uint32_t base = thread.frames.back().base + static_cast<std::uint32_t>(at->c);
   t.fuel -= at->executions;
   const bool recursion = t.warp == 0 && !function.warp && calls_itself(thread, function, at->b);
-  if (function.value_slots.empty() && base + function.reserve <= thread.capacity &&
-      thread.frames.size() < thread.frames.capacity()) [[likely]] {
-    thread.frames.push_back({&function, at + 1, base, at->b, t.warp});
-    f += caller_size;
-  } else {
-    if (!t.machine->push_frame(thread, function, at + 1, at->b, base, t.warp, block_at(t, at))) {
-      return end_turn(t, at, block_at(t, at), Exit::faulted);
-    }
-    f = thread.frame();
+  if (!t.machine->push_frame(thread, function, at + 1, at->b, base, t.warp, block_at(t, at))) {
+    return end_turn(t, at, block_at(t, at), Exit::faulted);
   }
-  t.frame = f;
+  t.frame = f = thread.frame();
   t.warp += function.warp ? 1 : 0;
   const Instr* to = function.code.data();
   if (recursion) return end_turn(t, to, block_at(t, to), Exit::yielded);
-  if (t.fuel < 0) [[unlikely]]
-    return out_of_fuel(to, t);
+  if (t.fuel < 0) return out_of_fuel(to, t);
   NEXT(to);
 }
-
-namespace {
 
 /// Gives the frame back; the instruction after the call, or null at the end of a hat's condition.
 const Instr* leave(Slot* f, Turn& t) {
@@ -147,27 +139,59 @@ const Instr* leave(Slot* f, Turn& t) {
     t.exit = Exit::ended;
     return nullptr;
   }
-  t.frame = f - thread.frames.back().function->frame_size;
+  t.frame = f - top.up;
   return top.back;
+}
+
+[[gnu::noinline]] const Instr* leave_slowly(const Instr*, Slot* f, Slot* g, Turn& t) {
+  const Instr* to = leave(f, t);
+  if (!to) return nullptr;
+  f = t.frame;
+  NEXT(to);
 }
 
 }  // namespace
 
+// Calls and returns without values take a short way: no more than a frame is written or read. What is longer
+// is left to a function of its own, so that this one needs no stack.
+HANDLER(call) {
+  Thread& thread = *t.thread;
+  const Function& function = t.functions[at->a];
+  const std::uint32_t base = thread.frames.back().base + static_cast<std::uint32_t>(at->c);
+  const bool may_yield = t.warp == 0 && !function.warp;
+  if (may_yield || !function.value_slots.empty() || base + function.reserve > thread.capacity ||
+      thread.frames.full()) [[unlikely]] {
+    return call_slowly(at, f, g, t);
+  }
+  t.fuel -= at->executions;
+  thread.frames.push({&function, at + 1, base, at->b, t.warp, at->c});
+  t.frame = f += at->c;
+  t.warp += function.warp ? 1 : 0;
+  const Instr* to = function.code.data();
+  if (t.fuel < 0) [[unlikely]]
+    return out_of_fuel(to, t);
+  NEXT(to);
+}
+
+#define RETURN()                                              \
+  const Frame& top = t.thread->frames.back();                 \
+  const Instr* to = top.back;                                 \
+  if (!to || !top.function->value_slots.empty()) [[unlikely]] \
+    return leave_slowly(at, f, g, t);                         \
+  t.warp = top.warp_before;                                   \
+  t.frame = f -= top.up;                                      \
+  t.thread->frames.pop_back();                                \
+  NEXT(to)
+
 HANDLER(ret) {
   t.fuel -= at->executions;
   t.returned.n = 0;
-  const Instr* to = leave(f, t);
-  if (!to) return nullptr;
-  f = t.frame;
-  NEXT(to);
+  RETURN();
 }
 HANDLER(ret_n) {
   t.fuel -= at->executions;
   t.returned.n = A.n;
-  const Instr* to = leave(f, t);
-  if (!to) return nullptr;
-  f = t.frame;
-  NEXT(to);
+  RETURN();
 }
 HANDLER(ret_v) {
   t.fuel -= at->executions;

@@ -1,5 +1,6 @@
 // Instructions over lists, but the hot ones for number lists.
 #include <algorithm>
+#include <optional>
 
 #include "vm/handlers.h"
 #include "vm/messages.h"
@@ -12,6 +13,9 @@ namespace {
 #define A (any_reg(f, g, at->a))
 #define B (any_reg(f, g, at->b))
 #define C (any_reg(f, g, at->c))
+
+constexpr std::size_t kItemsUnasked = 4096;  // between two looks whether the tick is wanted to end
+constexpr std::size_t kMostListText = 10u << 20;
 
 ListIndex index_in(Turn& t, const Value& index, std::size_t length, bool accept_all = false) {
   return list_index(index, length, accept_all, [&](std::size_t n) {
@@ -41,7 +45,9 @@ bool equals_item(const List& list, std::size_t i, const Value& wanted) {
   return compare(Value(list.numbers[i]), wanted) == 0;
 }
 
-std::size_t find(const List& list, const Value& wanted) {
+/// The place of the first item that equals `wanted`, from 0; the length without one. Nothing when somebody
+/// wants the tick to end: the search is begun again when the script goes on.
+std::optional<std::size_t> find(const Turn& t, const List& list, const Value& wanted) {
   if (list.bare && wanted.is_number()) {
     const double number = wanted.number();
     const auto it = std::find_if(list.numbers.begin(), list.numbers.end(),
@@ -49,8 +55,21 @@ std::size_t find(const List& list, const Value& wanted) {
     return static_cast<std::size_t>(it - list.numbers.begin());
   }
   std::size_t i = 0;
-  while (i < list.size() && !equals_item(list, i, wanted)) ++i;
+  while (i < list.size() && !equals_item(list, i, wanted)) {
+    if (++i % kItemsUnasked == 0 && hurried(t)) return std::nullopt;
+  }
   return i;
+}
+
+/// Empties a list. Many texts take long to give back: a Stop in between leaves the rest.
+const Instr* cleared(const Instr* at, Turn& t, List& list) {
+  const std::size_t work = list.values.size() / 8;
+  while (list.values.size() > kItemsUnasked) {
+    list.values.resize(list.values.size() - kItemsUnasked);
+    if (hurried(t)) return out_of_fuel(at, t);
+  }
+  list.clear();
+  return charge(at + 1, t, work);
 }
 
 Value at_place(Turn& t, const List& list, std::size_t place) {
@@ -100,32 +119,29 @@ HANDLER(list_insert) {
 HANDLER(list_delete) {
   List& list = list_at(t, at->a);
   const ListIndex index = index_in(t, B.v, list.size(), true);
-  if (index.all) list.clear();
+  if (index.all) return cleared(at, t, list);
   if (index.place < 1) return at + 1;
   const std::size_t work = moving_work(list, index.place);
   list.erase(index.place - 1);
   return charge(at + 1, t, work);
 }
 
-HANDLER(list_clear) {
-  List& list = list_at(t, at->a);
-  const std::size_t work = list.values.size() / 8;
-  list.clear();
-  return charge(at + 1, t, work);
-}
+HANDLER(list_clear) { return cleared(at, t, list_at(t, at->a)); }
 
 HANDLER(list_find) {
   const List& list = list_at(t, at->b);
-  const std::size_t i = find(list, C.v);
-  A.n = i < list.size() ? static_cast<double>(i + 1) : 0;
-  return charge(at + 1, t, i / 2);
+  const auto i = find(t, list, C.v);
+  if (!i) return out_of_fuel(at, t);
+  A.n = *i < list.size() ? static_cast<double>(*i + 1) : 0;
+  return charge(at + 1, t, *i / 2);
 }
 
 HANDLER(list_has) {
   const List& list = list_at(t, at->b);
-  const std::size_t i = find(list, C.v);
-  A.n = i < list.size() ? 1 : 0;
-  return charge(at + 1, t, i / 2);
+  const auto i = find(t, list, C.v);
+  if (!i) return out_of_fuel(at, t);
+  A.n = *i < list.size() ? 1 : 0;
+  return charge(at + 1, t, *i / 2);
 }
 
 /// Joined without a space when every item is a text of one letter, else with spaces.
@@ -136,6 +152,7 @@ HANDLER(list_text) {
   std::string out;
   for (int round = 0; round < 2; ++round) {
     for (std::size_t i = 0; i < list.size(); ++i) {
+      if (i % kItemsUnasked == kItemsUnasked - 1 && hurried(t)) return out_of_fuel(at, t);
       const Value item = list.at(heap, i);
       letters = letters && item.is_text() && item.text()->length == 1;
       if (round == 0) {
@@ -144,9 +161,8 @@ HANDLER(list_text) {
       }
       if (!letters && i > 0) out += ' ';
       out += to_string(item);
-      if (out.size() > t.machine->limits.max_text_bytes) {
-        return fail(at, t, messages::text_too_long,
-                    {{"limit", std::to_string(t.machine->limits.max_text_bytes)}});
+      if (out.size() > kMostListText) {
+        return fail(at, t, messages::text_too_long, {{"limit", std::to_string(kMostListText)}});
       }
     }
   }

@@ -93,10 +93,6 @@ HANDLER(pass) {
   new (&f[at->a]) Value(B.v);
   return at + 1;
 }
-HANDLER(number) {
-  A.n = to_number(B.v);
-  return at + 1;
-}
 HANDLER(truth) {
   A.n = to_truth(B.v) ? 1 : 0;
   return at + 1;
@@ -108,6 +104,10 @@ std::size_t text_work(const Value& value) { return value.is_text() ? value.text(
 
 }  // namespace
 
+HANDLER(number) {
+  A.n = to_number(B.v);
+  return charge(at + 1, t, text_work(B.v));
+}
 HANDLER(less_v) {
   A.n = compare(B.v, C.v) < 0 ? 1 : 0;
   return charge(at + 1, t, std::min(text_work(B.v), text_work(C.v)));
@@ -149,7 +149,9 @@ HANDLER(contains) {
   Heap& heap = t.machine->heap;
   const Value whole = to_text(heap, B.v);
   const Value part = to_text(heap, C.v);
-  A.n = contains_text(*whole.text(), *part.text()) ? 1 : 0;
+  const auto found = contains_text(*whole.text(), *part.text(), t.machine->interrupted);
+  if (!found) return out_of_fuel(at, t);
+  A.n = *found ? 1 : 0;
   return charge(at + 1, t, whole.text()->length / 8 + part.text()->length / 8);
 }
 

@@ -93,6 +93,28 @@ Micros Machine::Impl::next_wake() const {
   return edges ? std::min(wake, now + kLookAgain) : wake;
 }
 
+Micros Machine::Impl::next_timer() const {
+  constexpr Micros kNever = std::numeric_limits<Micros>::max();
+  const Micros now = host.now();
+  if (mid_turn) return now + 1;
+  if (sleepers.empty()) return kNever;
+  if (std::get<0>(sleepers.top()) > now) return std::get<0>(sleepers.top());
+  // On top are those that only wait for the next tick.
+  Micros wake = kNever;
+  for (const Thread* thread : threads) {
+    if (thread->state == ThreadState::sleeping && thread->wake > now) wake = std::min(wake, thread->wake);
+  }
+  return wake;
+}
+
+Limits live_limits(const Clock& wall) {
+  Limits out;
+  out.wall = &wall;
+  out.executions_per_tick = out.warp_executions = 1ULL << 60;
+  out.slice_executions = 5'000;
+  return out;
+}
+
 Machine::Machine(std::shared_ptr<const Code> code, const BlockCatalog& catalog, Host& host, Limits limits)
     : impl_(std::make_unique<Impl>(std::move(code), catalog, host, limits)) {}
 
@@ -152,6 +174,7 @@ bool Machine::waits_for_percept() const {
 }
 
 Micros Machine::next_wake() const { return impl_->next_wake(); }
+Micros Machine::next_timer() const { return impl_->next_timer(); }
 std::vector<std::string> Machine::running_blocks() const { return impl_->running_blocks(); }
 std::map<std::string, MonitorValue> Machine::variables() const { return impl_->variables(); }
 std::map<std::string, std::vector<MonitorValue>> Machine::lists(std::size_t max_items) const {

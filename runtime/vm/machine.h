@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/clock.h"
 #include "base/result.h"
 #include "vm/catalog.h"
 #include "vm/host.h"
@@ -30,12 +31,17 @@ Result<LoadedProgram> load_program(std::string_view json_text, const BlockCatalo
 struct Limits {
   std::uint64_t executions_per_tick = 20'000;  ///< DESIGN section 4
   std::uint64_t warp_executions = 500'000;     ///< lockstep stand-in for 500 ms
-  std::uint64_t slice_executions = 100'000;  ///< interrupt flag looked at least this often (well under 5 ms)
-  std::size_t max_text_bytes = 10u << 20;
+  std::uint64_t slice_executions = 100'000;    ///< how often the machine looks up: interrupt flag, wall clock
+  const Clock* wall = nullptr;                 ///< live: also ends a tick after `tick_time` of it
+  Micros tick_time = 5 * kMillisecond;
+  std::size_t max_text_bytes = 2u << 20;  ///< of a joined text: reading or comparing one must not take 5 ms
   std::size_t max_total_bytes = 512u << 20;
   std::size_t max_depth = 100'000;
   std::size_t max_threads = 20'000;
 };
+
+/// For a robot that runs live: no tick longer than 5 ms, whatever its scripts do.
+Limits live_limits(const Clock& wall);
 
 /// What a monitor shows. Values are Scratch's text of the value; `is_number` tells JSON writers to keep
 /// numbers.
@@ -69,7 +75,8 @@ class Machine {
   void key(const std::string& name, bool down);
 
   /// One tick: wake-ups, edge hats, then scripts until each waits, has done something visible, or the budget
-  /// is spent. With `back_to_back` (no world) nothing ends the tick but the budget.
+  /// (block executions, or live its wall time) is spent. With `back_to_back` (no world) nothing ends the tick
+  /// but the budget.
   void tick(bool back_to_back = false);
 
   bool any_script_alive() const;
@@ -81,6 +88,9 @@ class Machine {
   bool waits_for_percept() const;
   /// When the next tick has something to do: now() or before = at once; INT64_MAX = nothing until an event.
   Micros next_wake() const;
+  /// When a tick of its own is worth it: a sleeping script has slept enough, or the last tick has cut a turn
+  /// short. Later than now() always, INT64_MAX = the next beat will do.
+  Micros next_timer() const;
 
   /// Ids of the blocks being executed, the innermost of each live script, with the C-blocks around them.
   std::vector<std::string> running_blocks() const;

@@ -45,6 +45,7 @@ struct Machine::Impl {
   // scheduler.cpp
   void tick(bool back_to_back);
   bool held();
+  bool out_of_time();
   bool may_run(const Thread& thread) const;
   bool run_pass();
   bool take_turn(Thread& thread);
@@ -102,6 +103,7 @@ struct Machine::Impl {
   void set_globals(const std::vector<GlobalInit>& inits);
   void set_slot(Slot& slot, const GlobalInit& init);
   Micros next_wake() const;
+  Micros next_timer() const;
   bool out_of_memory() const { return heap.used + list_bytes > limits.max_total_bytes; }
 
   std::shared_ptr<const Code> code;
@@ -146,6 +148,8 @@ struct Machine::Impl {
   bool mid_turn = false;      ///< the thread at pass_index was interrupted within its turn
   bool ticking_back_to_back = false;
   std::int64_t budget = 0;
+  Micros tick_end = 0;         ///< on the wall clock, when there is one
+  std::int64_t unwatched = 0;  ///< fuel spent since the wall clock was read
   std::uint64_t executions = 0;
   Thread* hold = nullptr;  ///< waits within "all at once": nobody else runs
   Micros hold_until = 0;

@@ -9,6 +9,7 @@ namespace mirada::vm {
 namespace {
 
 constexpr Micros kWarpTime = 500 * kMillisecond;
+constexpr std::int64_t kTurnFuel = 50;  // what a turn takes beside its instructions, in block executions
 
 }  // namespace
 
@@ -16,6 +17,7 @@ void Machine::Impl::tick(bool back_to_back) {
   ++tick_number;
   ticking_back_to_back = back_to_back;
   budget = static_cast<std::int64_t>(std::min<std::uint64_t>(limits.executions_per_tick, 1ULL << 60));
+  if (limits.wall) tick_end = limits.wall->now() + limits.tick_time;
   wake_sleepers();
   if (started) look_at_edges();
   if (held()) {
@@ -26,6 +28,14 @@ void Machine::Impl::tick(bool back_to_back) {
     if (!run_pass() || !pass_moved) break;
   }
   interrupted.store(false);
+}
+
+/// Live: whether the tick has had its wall time. Its budget is spent then.
+bool Machine::Impl::out_of_time() {
+  unwatched = 0;
+  if (!limits.wall || limits.wall->now() < tick_end) return false;
+  budget = 0;
+  return true;
 }
 
 /// Whether a script that waits within "all at once" keeps the others out of this tick.
@@ -134,6 +144,8 @@ Exit Machine::Impl::run_thread(Thread& thread) {
     executions += static_cast<std::uint64_t>(spent);
     thread.turn_executions += static_cast<std::uint64_t>(spent);
     thread.warp = turn.warp;
+    unwatched += fuel - turn.fuel + kTurnFuel;
+    if (unwatched >= static_cast<std::int64_t>(limits.slice_executions)) out_of_time();
     if (turn.exit != Exit::preempted || thread.state == ThreadState::done) return turn.exit;
     if (turn.warp > 0 &&
         (thread.turn_executions >= limits.warp_executions || host.now() - thread.warp_since >= kWarpTime)) {

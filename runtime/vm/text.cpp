@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cstring>
-#include <functional>
 #include <string>
+#include <vector>
 
 #include "vm/letter_case.h"
 
 namespace mirada::vm {
 namespace {
+
+constexpr std::uint32_t kLettersUnasked = 1 << 16;
 
 std::u16string lowered(const Text& text) {
   std::u16string out(text.length, u'\0');
@@ -43,14 +45,27 @@ Value letter_of(Heap& heap, const Text& text, double place) {
   return make_text(heap, std::u16string_view(&unit, 1));
 }
 
-bool contains_text(const Text& whole, const Text& part) {
+std::optional<bool> contains_text(const Text& whole, const Text& part, const std::atomic<bool>& give_up) {
   if (part.length == 0) return true;
   if (part.length > whole.length) return false;
-  const std::u16string haystack = lowered(whole);
+  const auto tired = [&](std::uint32_t i) { return i % kLettersUnasked == 0 && give_up.load(); };
+  // Knuth, Morris, Pratt: border[i] is the length of the longest start of `needle` that ends before letter i.
   const std::u16string needle = lowered(part);
-  if (needle.size() < 32) return haystack.find(needle) != std::u16string::npos;
-  const std::boyer_moore_horspool_searcher searcher(needle.begin(), needle.end());
-  return std::search(haystack.begin(), haystack.end(), searcher) != haystack.end();
+  std::vector<std::uint32_t> border(needle.size() + 1, 0);
+  for (std::uint32_t i = 1, matched = 0; i < needle.size(); ++i) {
+    if (tired(i)) return std::nullopt;
+    while (matched > 0 && needle[i] != needle[matched]) matched = border[matched];
+    if (needle[i] == needle[matched]) ++matched;
+    border[i + 1] = matched;
+  }
+  for (std::uint32_t i = 0, matched = 0; i < whole.length; ++i) {
+    if (tired(i)) return std::nullopt;
+    const char16_t letter = lower_case(whole.at(i));
+    while (matched > 0 && letter != needle[matched]) matched = border[matched];
+    if (letter == needle[matched]) ++matched;
+    if (matched == needle.size()) return true;
+  }
+  return false;
 }
 
 }  // namespace mirada::vm

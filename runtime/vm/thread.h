@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -27,6 +28,41 @@ struct Frame {
   std::uint32_t base = 0;       ///< of its registers in the thread's stack
   std::int32_t depth = 0;       ///< how many C-blocks stood around the call
   std::int32_t warp_before = 0;
+  std::int32_t up = 0;  ///< how far below its registers the caller's begin
+};
+
+/// The calls in progress of one script. Pushing onto a full one makes room; calls that must not take the time
+/// ask first.
+class FrameStack {
+ public:
+  bool full() const { return end_ == limit_; }
+  bool empty() const { return end_ == begin_.get(); }
+  std::size_t size() const { return static_cast<std::size_t>(end_ - begin_.get()); }
+  Frame& back() { return end_[-1]; }
+  const Frame& back() const { return end_[-1]; }
+  const Frame& operator[](std::size_t i) const { return begin_[i]; }
+  const Frame* begin() const { return begin_.get(); }
+  const Frame* end() const { return end_; }
+  void push(const Frame& frame) { *end_++ = frame; }  ///< it must not be full
+  void push_back(const Frame& frame) {
+    if (full()) grow();
+    push(frame);
+  }
+  void pop_back() { --end_; }
+
+ private:
+  void grow() {
+    const std::size_t count = size();
+    auto larger = std::make_unique<Frame[]>(2 * count + 4);
+    std::copy(begin_.get(), end_, larger.get());
+    begin_ = std::move(larger);
+    end_ = begin_.get() + count;
+    limit_ = begin_.get() + 2 * count + 4;
+  }
+
+  std::unique_ptr<Frame[]> begin_;
+  Frame* end_ = nullptr;
+  Frame* limit_ = nullptr;
 };
 
 /// What a sprite or one of its clones has of its own.
@@ -68,7 +104,7 @@ struct Thread {
   std::unique_ptr<NativeState> native_state;
   Instance* instance = nullptr;
 
-  std::vector<Frame> frames;
+  FrameStack frames;
   std::unique_ptr<Slot[]> stack;
   std::uint32_t capacity = 0;
 

@@ -54,7 +54,8 @@ bool Machine::Impl::push_frame(Thread& thread, const Function& function, const I
   for (const std::uint16_t slot : function.value_slots) {
     if (slot >= function.params) new (&thread.stack[base + slot]) Slot();
   }
-  thread.frames.push_back({&function, back, base, depth, warp});
+  const std::uint32_t up = thread.frames.empty() ? 0 : base - thread.frames.back().base;
+  thread.frames.push_back({&function, back, base, depth, warp, static_cast<std::int32_t>(up)});
   return true;
 }
 

@@ -2,6 +2,8 @@
 // The seven programs on Scratch, TurboWarp and Mirada, interleaved; prints JSON and keeps it in
 // build/peers/results.json.
 //   node tests/bench/peers/run.mjs [--reps 5] [--mirada build/release/bin/mirada] [--only fib,sieve] [--table]
+// Ours is `mirada run`, its start included; with --vm build/bench/bin/bench_vm it is the machine alone, without its
+// start, as the peers are measured.
 // --table writes the medians into docs/performance.md. Needs node 18+ and, the first time, npm's registry.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdirSync, writeFileSync } from 'node:fs';
@@ -23,6 +25,7 @@ const { values: options } = parseArgs({
   options: {
     reps: { type: 'string', default: '5' },
     mirada: { type: 'string', default: `${root}/build/release/bin/mirada` },
+    vm: { type: 'string' },
     only: { type: 'string' },
     table: { type: 'boolean', default: false },
   },
@@ -35,17 +38,29 @@ function childSeconds(text) {
   return read(user) + read(system);
 }
 
+/** The machine alone: CPU time without the start. */
+function measureMachine(file, seconds) {
+  const ticks = Math.ceil(seconds / 0.02);
+  const run = JSON.parse(execFileSync(options.vm, ['--ticks', String(ticks), file], { encoding: 'utf8' }));
+  return { block_executions: run.blocks, cpu_s: run.cpu_s, variables: run.variables };
+}
+
 /** The whole program `mirada run`, its start and its reading included. */
+function measureProgram(file, seconds) {
+  const words = ['-c', '"$0" run "$1" --world none --seconds "$2" --report -; times >&2', options.mirada, file, String(seconds)];
+  const run = spawnSync('sh', words, { encoding: 'utf8' });
+  return { ...JSON.parse(run.stdout), cpu_s: childSeconds(run.stderr) };
+}
+
 function measureMirada(name, n) {
   const program = programs[name];
   const file = `${folder}/${name}.json`;
   writeFileSync(file, program.build(n).text());
   const seconds = program.endless ? (n / kTickBlocks) * 0.02 : 86_400;
-  const run = spawnSync('sh', ['-c', '"$0" run "$1" --world none --seconds "$2" --report -; times >&2', options.mirada, file, String(seconds)], { encoding: 'utf8' });
-  const report = JSON.parse(run.stdout);
+  const report = options.vm ? measureMachine(file, seconds) : measureProgram(file, seconds);
   const blocks = program.endless ? report.variables.v * 2 : program.blocks(n);
   if (Math.abs(report.block_executions - blocks) > 0.01 * blocks) throw new Error(`${name}: counted ${report.block_executions}, not ${blocks}`);
-  return { blocks, cpu_s: childSeconds(run.stderr), variables: report.variables };
+  return { blocks, cpu_s: report.cpu_s, variables: report.variables };
 }
 
 function measure(kind, name, n) {
