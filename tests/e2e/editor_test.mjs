@@ -312,6 +312,17 @@ describe('the editor', { timeout: 900_000 }, () => {
     assert.ok(Math.abs(back.x - box.x) < 2);
   });
 
+  test('a camera that fell silent is said in a sentence, and its old picture pales', async () => {
+    await start(page);
+    for (const code of ['camera_lost', 'camera_missing', 'some_new_code']) {
+      robot.extra = { camera_trouble: code };
+      await page.locator('.picture-frame.stale .over-picture', { hasText: /camera.*\./ }).waitFor();
+      assert.doesNotMatch(await page.locator('.over-picture').textContent(), /_/);
+    }
+    robot.extra = {};
+    await page.locator('.picture-frame:not(.stale)').waitFor();
+  });
+
   test('room, robot and seed are chosen in one dialog; the picture of the robot follows', async () => {
     await start(page);
     await page.getByRole('button', { name: 'Robot and room' }).click();

@@ -1,6 +1,6 @@
 import { useComputed, useSignalEffect } from '@preact/signals';
 import { useRef } from 'preact/hooks';
-import { lang, t } from '../messages';
+import { type MessageKey, lang, t } from '../messages';
 import { editor } from '../state/editor';
 import { panels, togglePanel } from '../state/panels';
 import { picture, telemetry } from '../state/robot';
@@ -20,6 +20,8 @@ function draw(canvas: HTMLCanvasElement): void {
   const scale = w / shown.header.width;
   pen.drawImage(shown.bitmap, 0, 0, w, shown.header.height * scale);
   canvas.dataset.frame = String(shown.header.frame);
+  // What was seen before the camera fell silent says nothing about now.
+  if (now?.camera_trouble) return;
   if (panels.value.sonar && now?.sonar?.trusted) {
     drawBoundary(pen, now.sonar, scale, hueOf('sonar'));
     const distance = nearest(now.sonar);
@@ -30,9 +32,17 @@ function draw(canvas: HTMLCanvasElement): void {
   if (panels.value.faces && now?.faces) drawFaces(pen, now.faces, w / now.faces.width, hueOf('faces'));
 }
 
+const troubles: Record<string, MessageKey> = {
+  camera_missing: 'camera_missing',
+  camera_busy: 'camera_busy',
+  camera_lost: 'camera_lost',
+  replay_ended: 'camera_replay_ended',
+  picture_broken: 'camera_picture_broken',
+};
+
 function pictureWords(): string {
   const now = telemetry.value;
-  if (now?.camera_trouble) return t('camera_trouble', { code: now.camera_trouble });
+  if (now?.camera_trouble) return t(troubles[now.camera_trouble] ?? 'camera_lost');
   if (!picture.value) return t('no_picture');
   return panels.value.sonar && now?.sonar && !now.sonar.trusted ? t('not_trusted') : '';
 }
@@ -69,7 +79,10 @@ export function Picture() {
           {t('show_faces')}
         </button>
       </header>
-      <div class="picture-frame" style={{ aspectRatio: String(ratio.value) }}>
+      <div
+        class={telemetry.value?.camera_trouble ? 'picture-frame stale' : 'picture-frame'}
+        style={{ aspectRatio: String(ratio.value) }}
+      >
         <canvas ref={ref} class="picture" data-testid="picture" role="img" aria-label={t('sees')} />
         {words.value && <p class="over-picture">{words.value}</p>}
       </div>
