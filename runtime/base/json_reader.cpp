@@ -14,7 +14,19 @@ const nlohmann::json& empty_object() {
   return empty;
 }
 
+/// Whether anything lies more than two levels deep: writing such a value out recurses once a level.
+bool is_deep(const nlohmann::json& value) {
+  for (const auto& inner : value) {
+    if (!inner.is_structured()) continue;
+    for (const auto& item : inner) {
+      if (item.is_structured()) return true;
+    }
+  }
+  return false;
+}
+
 std::string shown(const nlohmann::json& value) {
+  if (value.is_structured() && is_deep(value)) return value.is_array() ? "[...]" : "{...}";
   const std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   return text.size() <= 40 ? text : text.substr(0, 37) + "...";
 }

@@ -14,6 +14,8 @@ namespace mirada::rig {
 namespace {
 
 constexpr std::size_t kMostListItems = 200'000;
+constexpr std::size_t kMostSaidLines = 10'000;
+constexpr std::size_t kMostSaidBytes = 32u << 20;
 
 /// What moves and sees: a simulated room, or an ideal body in none.
 class Body {
@@ -64,7 +66,7 @@ class Lockstep {
     link_->robot = &robot_;
     link_->host = &session_.host();
     session_.host().on_say([this](const SaidText& line) {
-      said_.push_back(line);
+      keep(line);
       hash_.say(line.t, line.text);
     });
   }
@@ -93,6 +95,12 @@ class Lockstep {
     out.attended = false;
     out.back_to_back = !options.world.has_value();
     return out;
+  }
+
+  /// A script may say thousands of lines a tick, and long ones: the report has the first, the hash has all.
+  void keep(const SaidText& line) {
+    said_bytes_ += line.text.size();
+    if (said_.size() < kMostSaidLines && said_bytes_ <= kMostSaidBytes) said_.push_back(line);
   }
 
   /// World, due frames, percepts twice; then wake-ups, scripts, commands once.
@@ -150,6 +158,7 @@ class Lockstep {
   packs::PackSet packs_;
   session::RunHash hash_;
   std::vector<SaidText> said_;
+  std::size_t said_bytes_ = 0;
   session::Session session_;
 };
 

@@ -5,6 +5,7 @@
 #include "server/json_text.h"
 #include "server/server_messages.h"
 #include "vm/machine.h"
+#include "vm/scratch_import.h"
 
 namespace mirada::server {
 
@@ -41,6 +42,12 @@ std::string examples_json(const std::vector<Example>& examples) {
 std::string check_program(const std::string& program_json, const packs::PackSet& packs) {
   const Result<vm::LoadedProgram> loaded = vm::load_program(program_json, packs.catalog);
   return check_json(loaded.ok() ? loaded->warnings : loaded.faults());
+}
+
+std::string open_scratch(const std::string& bytes, const packs::PackSet& packs) {
+  const vm::ImportedProject opened = vm::import_scratch(bytes, packs.catalog, "");
+  const std::string program = opened.program_json.empty() ? "null" : opened.program_json;
+  return "{\"program\":" + program + ",\"faults\":" + faults_json(opened.faults) + "}";
 }
 
 std::string plain_page(const Message& what, const MessageArgs& args, const Message* also) {

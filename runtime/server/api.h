@@ -17,6 +17,10 @@ std::string examples_json(const std::vector<Example>& examples);
 /// POST /api/check: reads, validates and compiles; takes as long as that. Any thread.
 std::string check_program(const std::string& program_json, const packs::PackSet& packs);
 
+/// POST /api/scratch: a Scratch file as a program for the editor, and what was left out; program null when it
+/// is refused. Any thread.
+std::string open_scratch(const std::string& bytes, const packs::PackSet& packs);
+
 /// A small page in both languages, for people who open an address without an editor behind it.
 std::string plain_page(const Message& what, const MessageArgs& args = {}, const Message* also = nullptr);
 

@@ -143,17 +143,16 @@ class HttpConnection : public IdleConnection, public std::enable_shared_from_thi
   }
 
   void route(const HttpRequest& request) {
-    if (is_check(request)) return check();
+    if (is_check(request)) return work(check_program);
+    if (is_scratch(request)) return work(open_scratch);
     if (request.target.starts_with("/api/")) return write(answer(request, board_.router), keep_alive());
     in_background([request](Switchboard& board, const Parser&) { return answer(request, board.router); });
   }
 
-  void check() {
-    in_background([](Switchboard& board, const Parser& parser) {
-      return HttpReply{200,
-                       "application/json",
-                       check_program(parser.get().body(), board.packs),
-                       {{"Cache-Control", "no-store"}}};
+  void work(std::string (*answer)(const std::string& body, const packs::PackSet& packs)) {
+    in_background([answer](Switchboard& board, const Parser& parser) {
+      return HttpReply{
+          200, "application/json", answer(parser.get().body(), board.packs), {{"Cache-Control", "no-store"}}};
     });
   }
 

@@ -38,7 +38,7 @@ HttpReply api_reply(const HttpRequest& request, const RouterData& data) {
   if (path == "/api/packs") return json_reply(data.packs_json);
   if (path == "/api/setup") return json_reply(setup_page_json(data.station, data.lang));
   if (path == "/api/examples") return json_reply(data.examples_json);
-  const bool other_method = path == "/api/check" || path == "/api/stop";
+  const bool other_method = path == "/api/check" || path == "/api/scratch" || path == "/api/stop";
   return other_method ? refusal(405, messages::method_wrong, path)
                       : refusal(404, messages::page_missing, path);
 }
@@ -74,6 +74,10 @@ bool is_check(const HttpRequest& request) {
   return request.method == "POST" && request.path() == "/api/check";
 }
 
+bool is_scratch(const HttpRequest& request) {
+  return request.method == "POST" && request.path() == "/api/scratch";
+}
+
 std::optional<HttpReply> refuse(const HttpRequest& request, std::string_view local_address,
                                 std::string_view machine_name) {
   const std::string_view target = request.path();
@@ -92,7 +96,7 @@ std::optional<HttpReply> refuse(const HttpRequest& request, std::string_view loc
 }
 
 std::uint64_t body_limit(const HttpRequest& request) {
-  return is_check(request) ? kMaxProgramBytes : kMaxOtherBody;
+  return is_check(request) || is_scratch(request) ? kMaxProgramBytes : kMaxOtherBody;
 }
 
 HttpReply answer(const HttpRequest& request, const RouterData& data) {

@@ -51,6 +51,8 @@ std::optional<HttpReply> refuse(const HttpRequest& request, std::string_view loc
 
 bool is_stop(const HttpRequest& request);
 bool is_check(const HttpRequest& request);
+/// A Scratch file to be turned into a program of the editor's.
+bool is_scratch(const HttpRequest& request);
 
 /// The most bytes that the body of this request may have.
 std::uint64_t body_limit(const HttpRequest& request);

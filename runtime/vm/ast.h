@@ -20,6 +20,7 @@ struct Field {
   std::string value{};
   std::string id{};
   bool is_number = false;  ///< written as a JSON number
+  bool is_truth = false;   ///< written as a JSON truth; only initial values of Scratch projects are
 };
 
 /// A socket: the block in it wins over the shadow beneath. For a mouth, `block` is the first of the stack.
@@ -35,6 +36,7 @@ struct Parameter {
   std::string id{};
   std::string name{};
   ParamType type = ParamType::number;
+  std::string fallback{};  ///< of a raw one: what a call without it gives
 };
 
 /// A my-block's head; calls carry a copy, the definition's counts.
@@ -107,6 +109,8 @@ std::size_t counted_blocks(const Program& program);
 namespace limits {
 constexpr std::size_t kProgramBytes = 4u << 20;
 constexpr std::size_t kBlocks = 5'000;
+constexpr std::size_t kScratchBlocks = 50'000;  ///< of an imported project
+constexpr std::size_t kParameters = 255;        ///< of a my-block
 constexpr int kNesting = 256;
 }  // namespace limits
 

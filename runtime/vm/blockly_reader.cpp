@@ -1,39 +1,14 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_reader.h"
+#include "vm/json_access.h"
 #include "vm/messages.h"
-#include "vm/numbers.h"
 #include "vm/reader.h"
 
 namespace mirada::vm {
 namespace {
 
 using Json = nlohmann::json;
-
-std::string shown(const Json& value) {
-  if (value.is_structured()) return value.is_array() ? "[...]" : "{...}";
-  const std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  return text.size() <= 40 ? text : text.substr(0, 37) + "...";
-}
-
-/// The text of a plain JSON value, numbers in JavaScript's form.
-std::string plain_text(const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
-  if (value.is_number()) return number_to_string(value.get<double>());
-  return {};
-}
-
-const Json* find(const Json& object, const char* name) {
-  if (!object.is_object()) return nullptr;
-  const auto it = object.find(name);
-  return it == object.end() ? nullptr : &*it;
-}
-
-std::string text_at(const Json& object, const char* name) {
-  const Json* value = find(object, name);
-  return value ? plain_text(*value) : std::string();
-}
 
 class Reader {
  public:
@@ -52,7 +27,8 @@ class Reader {
     out_.faults.push_back(make_fault(std::move(place), message, std::move(args)));
   }
   void wrong(const std::string& place, const std::string& field, const char* expected, const Json& value) {
-    fault(place, messages::wrong_shape, {{"field", field}, {"expected", expected}, {"value", shown(value)}});
+    fault(place, messages::wrong_shape,
+          {{"field", field}, {"expected", expected}, {"value", shown_json(value)}});
   }
   void read_envelope(const Json& root);
   void read_variables(const Json& workspace);
@@ -71,10 +47,10 @@ class Reader {
 
 void Reader::read_envelope(const Json& root) {
   program_.name = text_at(root, "name");
-  if (const Json* version = find(root, "version"); version && *version != 1) {
-    fault("/version", messages::wrong_version, {{"value", shown(*version)}});
+  if (const Json* version = find_field(root, "version"); version && *version != 1) {
+    fault("/version", messages::wrong_version, {{"value", shown_json(*version)}});
   }
-  const Json* packs = find(root, "packs");
+  const Json* packs = find_field(root, "packs");
   if (!packs) return;
   if (!packs->is_array()) return wrong("/packs", "/packs", "[name, ...]", *packs);
   for (std::size_t i = 0; i < packs->size(); ++i) {
@@ -90,8 +66,8 @@ void Reader::read_envelope(const Json& root) {
 void Reader::read(const Json& root) {
   if (!root.is_object()) return fault("/", messages::program_not_object);
   const Json* workspace = &root;
-  const Json* inner = find(root, "workspace");
-  if (inner || find(root, "format")) {
+  const Json* inner = find_field(root, "workspace");
+  if (inner || find_field(root, "format")) {
     read_envelope(root);
     if (!inner) return fault("/workspace", messages::workspace_missing);
     if (!inner->is_object()) return wrong("/workspace", "/workspace", "{...}", *inner);
@@ -102,14 +78,14 @@ void Reader::read(const Json& root) {
 }
 
 void Reader::read_variables(const Json& workspace) {
-  const Json* variables = find(workspace, "variables");
+  const Json* variables = find_field(workspace, "variables");
   if (!variables) return;
   if (!variables->is_array()) return wrong("/workspace/variables", "variables", "[...]", *variables);
   for (std::size_t i = 0; i < variables->size(); ++i) {
     const Json& json = (*variables)[i];
     const std::string place = "/workspace/variables/" + std::to_string(i);
-    const Json* id = find(json, "id");
-    const Json* name = find(json, "name");
+    const Json* id = find_field(json, "id");
+    const Json* name = find_field(json, "name");
     if (!id || !id->is_string() || !name || !name->is_string()) {
       wrong(place, place, "{name, id, type}", json);
       continue;
@@ -128,15 +104,15 @@ void Reader::read_variables(const Json& workspace) {
 }
 
 void Reader::read_tops(const Json& workspace) {
-  const Json* blocks = find(workspace, "blocks");
+  const Json* blocks = find_field(workspace, "blocks");
   if (!blocks) {
     // Blockly leaves the field out of an empty workspace; then variables, or nothing at all, may stand alone.
-    if (!workspace.empty() && !find(workspace, "variables")) {
+    if (!workspace.empty() && !find_field(workspace, "variables")) {
       fault("/workspace/blocks", messages::workspace_missing);
     }
     return;
   }
-  const Json* list = blocks->is_object() ? find(*blocks, "blocks") : blocks;
+  const Json* list = blocks->is_object() ? find_field(*blocks, "blocks") : blocks;
   if (!list) return;
   if (!list->is_array()) return wrong("/workspace/blocks", "blocks", "[...]", *list);
   for (std::size_t i = 0; i < list->size(); ++i) {
@@ -153,7 +129,7 @@ void Reader::read_tops(const Json& workspace) {
 
 BlockIndex Reader::add_block(const Json& json, BlockIndex parent, BlockIndex enclosing, bool shadow,
                              const std::string& path) {
-  const Json* type = find(json, "type");
+  const Json* type = find_field(json, "type");
   if (!type || !type->is_string()) {
     wrong(path, path, "{type, id}", json);
     return kNone;
@@ -177,20 +153,20 @@ BlockIndex Reader::add_block(const Json& json, BlockIndex parent, BlockIndex enc
 void Reader::fill(const Task& task) {
   const Json& json = *task.json;
   const std::string place = program_.at(task.index).id;
-  if (const Json* enabled = find(json, "enabled");
+  if (const Json* enabled = find_field(json, "enabled");
       enabled && enabled->is_boolean() && !enabled->get<bool>()) {
     program_.at(task.index).disabled = true;
   }
-  if (const Json* reasons = find(json, "disabledReasons");
+  if (const Json* reasons = find_field(json, "disabledReasons");
       reasons && reasons->is_array() && !reasons->empty()) {
     program_.at(task.index).disabled = true;
   }
   read_fields(json, task.index, place);
   read_signature(json, task.index, place);
   read_inputs(task);
-  const Json* next = find(json, "next");
+  const Json* next = find_field(json, "next");
   if (!next) return;
-  const Json* block = find(*next, "block");
+  const Json* block = find_field(*next, "block");
   if (!block) return wrong(place, "next", "{block}", *next);
   const BlockIndex follower =
       add_block(*block, task.index, program_.at(task.index).enclosing, false, place + "/next");
@@ -198,7 +174,7 @@ void Reader::fill(const Task& task) {
 }
 
 void Reader::read_fields(const Json& json, BlockIndex index, const std::string& place) {
-  const Json* fields = find(json, "fields");
+  const Json* fields = find_field(json, "fields");
   if (!fields) return;
   if (!fields->is_object()) return wrong(place, "fields", "{...}", *fields);
   for (const auto& [name, value] : fields->items()) {
@@ -215,14 +191,14 @@ void Reader::read_fields(const Json& json, BlockIndex index, const std::string& 
 
 void Reader::read_inputs(const Task& task) {
   const std::string place = program_.at(task.index).id;
-  const Json* inputs = find(*task.json, "inputs");
+  const Json* inputs = find_field(*task.json, "inputs");
   if (!inputs) return;
   if (!inputs->is_object()) return wrong(place, "inputs", "{...}", *inputs);
   for (const auto& [name, value] : inputs->items()) {
     Input input{.name = name};
     const std::string path = place + "/inputs/" + name;
-    const Json* shadow = find(value, "shadow");
-    const Json* block = find(value, "block");
+    const Json* shadow = find_field(value, "shadow");
+    const Json* block = find_field(value, "block");
     if (shadow) input.shadow = add_block(*shadow, task.index, task.index, true, path + "/shadow");
     if (block) input.block = add_block(*block, task.index, task.index, false, path + "/block");
     if (!shadow && !block) wrong(place, name, "{shadow, block}", value);
@@ -234,18 +210,18 @@ void Reader::read_signature(const Json& json, BlockIndex index, const std::strin
   const std::string& opcode = program_.at(index).opcode;
   if (opcode != "procedures_definition" && opcode != "procedures_call" && opcode != "procedures_call_value")
     return;
-  const Json* state = find(json, "extraState");
+  const Json* state = find_field(json, "extraState");
   if (!state || !state->is_object()) return fault(place, messages::signature_missing);
   Signature signature{.id = text_at(*state, "id"), .name = text_at(*state, "name"), .params = {}};
   const auto flag = [&](const char* name) {
-    const Json* value = find(*state, name);
+    const Json* value = find_field(*state, name);
     if (value && !value->is_boolean()) wrong(place, name, "true|false", *value);
     return value && value->is_boolean() && value->get<bool>();
   };
   signature.returns = flag("returns");
   signature.warp = flag("warp");
   if (signature.id.empty()) fault(place, messages::signature_missing);
-  const Json* params = find(*state, "params");
+  const Json* params = find_field(*state, "params");
   if (params && !params->is_array()) wrong(place, "params", "[...]", *params);
   for (std::size_t i = 0; params && params->is_array() && i < params->size(); ++i) {
     const Json& param = (*params)[i];

@@ -80,6 +80,7 @@ struct GlobalInit {
   bool is_text = false;
   double number = 0;
   std::string text{};
+  bool is_truth = false;
 };
 
 /// How a variable is kept: numbers bare; texts that are canonical numbers too, and known to be texts.

@@ -11,6 +11,9 @@ Operand Compiler::argument(const Block& block, const Parameter& param, Types wan
     build_->free(given);
     return emit_to(Kind::number, type::number, Op::no_nan, given.reg);
   }
+  if (param.type == ParamType::raw && content(block, param.id) == kNone) {
+    return {text_constant(param.fallback), Kind::value, type::text};
+  }
   return is_bare(wanted) ? input(block, param.id) : value_input(block, param.id);
 }
 

@@ -170,6 +170,7 @@ Operand Compiler::text_operator(const Block& block) {
     if (fn == MathFn::floor) return one(a, Kind::number, type::number, Op::floor);
     return one(a, Kind::number, type::number, Op::math, static_cast<std::int32_t>(fn));
   }
+  if (opcode == "control_get_counter") return emit_to(Kind::number, type::number, Op::counter);
   if (opcode == "sensing_timer") return emit_to(Kind::number, type::number, Op::timer);
   return {text_constant(""), Kind::value, type::text};
 }

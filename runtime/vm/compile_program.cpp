@@ -22,6 +22,7 @@ std::vector<bool> find_effects(const Program& program) {
 
 GlobalInit initial_of(const Field& field, bool bare) {
   const double number = string_to_number(field.value);
+  if (field.is_truth) return {Kind::value, false, field.value == "true" ? 1.0 : 0.0, {}, true};
   if (bare || field.is_number)
     return {Kind::number, false, number == number || field.is_number ? number : 0, {}};
   return {Kind::value, true, 0, field.value};
@@ -100,7 +101,7 @@ void Compiler::place_scalar(Code& code, std::size_t i) {
   } else {
     info.place = static_cast<std::int32_t>(tables_.globals.size());
     places_[i] = {global_operand(tables_.globals.size()), kind, types, false};
-    tables_.globals.push_back({kind, initial.is_text, initial.number, initial.text});
+    tables_.globals.push_back({kind, initial.is_text, initial.number, initial.text, initial.is_truth});
   }
   code.variables.push_back(std::move(info));
 }
@@ -239,13 +240,7 @@ void Compiler::compile_definition(int definition) {
   declare_locals(head);
   stack(program_.at(head).next);
   build.set_block(head);
-  const Types types = types_.returned(definition);
-  const bool bare = is_bare(types) || types == type::truth;
-  if (!signature.returns || bare) {
-    build.emit_end(Op::ret);
-  } else {
-    build.emit_end(Op::ret_v, text_constant(""));
-  }
+  end_script();
   build.finish();
   tables_.functions[static_cast<std::size_t>(definition)] = std::move(function);
 }

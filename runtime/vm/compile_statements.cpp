@@ -53,6 +53,8 @@ bool Compiler::control_statement(const Block& block) {
 bool Compiler::scratch_statement(const Block& block) {
   const std::string& opcode = block.opcode;
   if (!program_.from_scratch) return false;
+  if (opcode == "control_incr_counter") return build_->emit(Op::count_up), true;
+  if (opcode == "control_clear_counter") return build_->emit(Op::clear_counter), true;
   if (opcode == "control_delete_this_clone") return build_->emit_end(Op::delete_clone), true;
   if (opcode == "control_create_clone_of") {
     const Operand name = value_input(block, "CLONE_OPTION");
@@ -225,7 +227,19 @@ void Compiler::stop(const Block& block) {
   if (option->value.starts_with("other scripts")) build_->emit(Op::stop_others);
 }
 
-void Compiler::end_script() { build_->emit_end(definition_ >= 0 ? Op::ret : Op::end); }
+/// The end of a script, or of a my-block without a value: an empty text where a value is wanted.
+void Compiler::end_script() {
+  if (definition_ < 0) {
+    build_->emit_end(Op::end);
+    return;
+  }
+  const Types types = types_.returned(definition_);
+  if (!types_.signature(definition_).returns || is_bare(types) || types == type::truth) {
+    build_->emit_end(Op::ret);
+  } else {
+    build_->emit_end(Op::ret_v, text_constant(""));
+  }
+}
 
 void Compiler::broadcast(const Block& block, Op op) {
   const Field* field = block.field("BROADCAST_INPUT");

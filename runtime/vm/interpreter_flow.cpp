@@ -15,6 +15,8 @@ namespace mirada::vm {
 
 namespace {
 
+constexpr std::size_t kStartWork = 20;  // what starting a script costs, in block executions
+
 const Instr* end_turn(Turn& t, const Instr* resume, BlockIndex block, Exit exit) {
   t.thread->at = resume;
   t.thread->block = block;
@@ -229,8 +231,9 @@ HANDLER(wait) {
 
 HANDLER(broadcast) {
   t.fuel -= at->executions;
-  t.machine->broadcast(to_string(A.v));
-  return t.fuel < 0 ? out_of_fuel(at + 1, t) : at + 1;
+  const std::size_t started = t.machine->broadcast(to_string(A.v)).size();
+  if (t.fuel < 0) return out_of_fuel(at + 1, t);
+  return charge(at + 1, t, started * kStartWork);
 }
 
 HANDLER(broadcast_wait) {
@@ -291,6 +294,21 @@ HANDLER(timer) {
 
 HANDLER(reset_timer) {
   t.machine->timer_zero = t.machine->host.now();
+  return at + 1;
+}
+
+HANDLER(counter) {
+  A.n = t.machine->counter;
+  return at + 1;
+}
+
+HANDLER(count_up) {
+  t.machine->counter += 1;
+  return at + 1;
+}
+
+HANDLER(clear_counter) {
+  t.machine->counter = 0;
   return at + 1;
 }
 

@@ -23,7 +23,7 @@ Machine::Impl::Impl(std::shared_ptr<const Code> program, const BlockCatalog& blo
     list.bare = info.numbers;
     list.digits = info.digits;
     for (const GlobalInit& item : info.initial) {
-      list.add(item.is_text ? make_text(heap, std::string_view(item.text)) : Value(item.number));
+      list.add(initial_value(item));
     }
   }
   turn.machine = this;
@@ -60,11 +60,16 @@ void Machine::Impl::set_globals(const std::vector<GlobalInit>& inits) {
   }
 }
 
+Value Machine::Impl::initial_value(const GlobalInit& init) {
+  if (init.is_text) return make_text(heap, std::string_view(init.text));
+  return init.is_truth ? Value(init.number != 0) : Value(init.number);
+}
+
 void Machine::Impl::set_slot(Slot& slot, const GlobalInit& init) {
   if (init.kind == Kind::number) {
     slot.n = init.number;
   } else {
-    slot.v = init.is_text ? make_text(heap, std::string_view(init.text)) : Value(init.number);
+    slot.v = initial_value(init);
   }
 }
 

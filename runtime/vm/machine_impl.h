@@ -63,7 +63,7 @@ struct Machine::Impl {
                   std::uint32_t base, std::int32_t warp, BlockIndex caller);
   void unwind(Thread& thread);
   void recycle(Thread& thread);
-  Thread* find_running(const Script& script, const Instance* instance) const;
+  Thread* find_running(const Script& script, const Instance* instance, bool ended_too) const;
   Thread* start_thread(const Script& script, Instance* instance, bool restart);
   std::vector<Thread*> start_matching(const std::vector<const Script*>& scripts, bool restart);
   void end_thread(Thread& thread, ThreadEnd why);
@@ -101,6 +101,7 @@ struct Machine::Impl {
     return code->functions[static_cast<std::size_t>(index)];
   }
   void set_globals(const std::vector<GlobalInit>& inits);
+  Value initial_value(const GlobalInit& init);
   void set_slot(Slot& slot, const GlobalInit& init);
   Micros next_wake() const;
   Micros next_timer() const;
@@ -155,6 +156,7 @@ struct Machine::Impl {
   Micros hold_until = 0;
   bool started = false;  ///< the flag was pressed and nothing has stopped all since
   Micros timer_zero = 0;
+  double counter = 0;  ///< Scratch's hidden counter
   std::atomic<bool> interrupted{false};
   std::vector<BlockFault> faults;
   std::vector<Answer> answers;

@@ -36,6 +36,21 @@ inline constexpr Message duplicate_variable{"duplicate_variable", "Two variables
 inline constexpr Message project_broken{
     "project_broken", "This is no whole Scratch project: its JSON breaks at byte {byte}.",
     "Esto no es un proyecto de Scratch completo: su JSON se rompe en el byte {byte}."};
+inline constexpr Message no_targets{
+    "no_targets", "This is no Scratch project: it has no list of sprites (targets).",
+    "Esto no es un proyecto de Scratch: no tiene lista de objetos (targets)."};
+inline constexpr Message no_stage{"no_stage", "This Scratch project has no stage; it gets an empty one.",
+                                  "Este proyecto de Scratch no tiene escenario; se le da uno vacío."};
+inline constexpr Message old_scratch{
+    "old_scratch",
+    "This project is from Scratch {version}. Open it in Scratch 3, save it, and open that file.",
+    "Este proyecto es de Scratch {version}. Ábrelo en Scratch 3, guárdalo y abre ese archivo."};
+inline constexpr Message only_a_sprite{
+    "only_a_sprite", "This file holds one Scratch sprite, not a project. Save the project.",
+    "Este archivo tiene un objeto de Scratch, no un proyecto. Guarda el proyecto."};
+inline constexpr Message too_many_parameters{
+    "too_many_parameters", "The block \"{name}\" has {count} parameters; {limit} is the most.",
+    "El bloque «{name}» tiene {count} parámetros; {limit} es el máximo."};
 inline constexpr Message archive_broken{
     "archive_broken", "This is no Scratch file: I can't unpack it. Save it again from Scratch.",
     "Esto no es un archivo de Scratch: no puedo abrirlo. Guárdalo otra vez."};
@@ -48,6 +63,14 @@ inline constexpr Message archive_too_large{
 inline constexpr Message stage_blocks{
     "stage_blocks", "These blocks need Scratch's stage and do nothing here: {blocks}.",
     "Estos bloques necesitan el escenario de Scratch y aquí no hacen nada: {blocks}."};
+inline constexpr Message list_left_empty{
+    "list_left_empty",
+    "The list \"{name}\" has {count} items; only up to {limit} come along, so it is empty.",
+    "La lista «{name}» tiene {count} elementos; solo vienen hasta {limit}, así que está vacía."};
+inline constexpr Message placeholder_blocks{
+    "placeholder_blocks",
+    "The robot has no such blocks; they are grey and must come out before it runs: {blocks}.",
+    "El robot no tiene estos bloques; están en gris y hay que quitarlos para ejecutar: {blocks}."};
 
 // What can be wrong with a block.
 inline constexpr Message unknown_block{"unknown_block",
@@ -81,11 +104,12 @@ inline constexpr Message dangling_variable{
     "dangling_variable",
     "The {kind} of this block is not in the program any more (id {id}). Choose one again.",
     "La {kind} de este bloque ya no está en el programa (id {id}). Elige otra vez."};
-inline constexpr Message block_cycle{"block_cycle", "These blocks hang together in a circle.",
-                                     "Estos bloques están unidos en círculo."};
-inline constexpr Message dangling_block{"dangling_block",
-                                        "This block names the block {id}, which is not there.",
-                                        "Este bloque nombra el bloque {id}, que no existe."};
+inline constexpr Message block_cycle{
+    "block_cycle", "What follows this block, {id}, hangs elsewhere already. It is left out here.",
+    "Lo que sigue a este bloque, {id}, ya está unido en otro sitio. Aquí se omite."};
+inline constexpr Message dangling_block{
+    "dangling_block", "This block names the block {id}, which is not there. It is left out.",
+    "Este bloque nombra el bloque {id}, que no existe. Se omite."};
 
 // My blocks.
 inline constexpr Message signature_missing{"signature_missing",

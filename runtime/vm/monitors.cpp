@@ -101,6 +101,7 @@ void Machine::Impl::evaluate(const std::string& block_id, std::uint64_t request)
   thread.is_question = true;
   thread.is_answered = false;
   thread.request = request;
+  thread.place = threads.size();
   threads.push_back(&thread);
   disturb();
 }

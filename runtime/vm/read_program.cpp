@@ -22,6 +22,29 @@ ReadProgram too_large() {
   return broken(messages::archive_too_large, {{"limit_mib", std::to_string(kMaxProject >> 20)}});
 }
 
+/// project.json, at the top or (as Scratch allows) in a folder; nothing else is looked at.
+zip_int64_t find_project(zip_t* archive) {
+  const zip_int64_t top = zip_name_locate(archive, "project.json", 0);
+  if (top >= 0) return top;
+  constexpr std::string_view kName = "/project.json";
+  const zip_int64_t count = zip_get_num_entries(archive, 0);
+  for (zip_int64_t i = 0; i < count; ++i) {
+    const char* raw = zip_get_name(archive, static_cast<zip_uint64_t>(i), 0);
+    const std::string_view name(raw ? raw : "");
+    if (!name.ends_with(kName)) continue;
+    const std::string_view folder = name.substr(0, name.size() - kName.size());
+    if (!folder.empty() && folder.find_first_of("/\\") == std::string_view::npos && folder[0] != '.')
+      return i;
+  }
+  return -1;
+}
+
+/// Scratch 2 kept the stage as the outermost object, with its name first or near it.
+bool looks_like_scratch_2(std::string_view text) {
+  return text.find("\"objName\"") != std::string_view::npos &&
+         text.find("\"targets\"") == std::string_view::npos;
+}
+
 /// Only project.json is unpacked, from memory to memory and never more than the limit: no path and no bomb
 /// matters.
 ReadProgram read_archive(std::string_view bytes) {
@@ -36,8 +59,11 @@ ReadProgram read_archive(std::string_view bytes) {
     return broken(messages::archive_broken);
   }
   const std::unique_ptr<zip_t, void (*)(zip_t*)> archive(opened, [](zip_t* z) { zip_discard(z); });
-  const zip_int64_t index = zip_name_locate(archive.get(), "project.json", 0);
-  if (index < 0) return broken(messages::archive_without_project);
+  const zip_int64_t index = find_project(archive.get());
+  if (index < 0) {
+    const bool sprite = zip_name_locate(archive.get(), "sprite.json", 0) >= 0;
+    return broken(sprite ? messages::only_a_sprite : messages::archive_without_project);
+  }
   zip_file_t* entry = zip_fopen_index(archive.get(), static_cast<zip_uint64_t>(index), 0);
   if (!entry) return broken(messages::archive_broken);
   const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(entry, zip_fclose);
@@ -50,6 +76,7 @@ ReadProgram read_archive(std::string_view bytes) {
     text.append(chunk.data(), static_cast<std::size_t>(got));
     if (text.size() > kMaxProject) return too_large();
   }
+  if (looks_like_scratch_2(text)) return broken(messages::old_scratch, {{"version", "2"}});
   return read_scratch_project(text);
 }
 
@@ -64,7 +91,13 @@ bool looks_like_project(std::string_view text) {
 
 ReadProgram read_program(std::string_view bytes) {
   if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06")) return read_archive(bytes);
-  if (bytes.size() <= kMaxProject && looks_like_project(bytes)) return read_scratch_project(bytes);
+  if (bytes.starts_with("ScratchV0")) return broken(messages::old_scratch, {{"version", "1"}});
+  if (looks_like_project(bytes)) {
+    return bytes.size() <= kMaxProject ? read_scratch_project(bytes) : too_large();
+  }
+  if (bytes.find("\"workspace\"") == std::string_view::npos && looks_like_scratch_2(bytes)) {
+    return broken(messages::old_scratch, {{"version", "2"}});
+  }
   return read_blockly(bytes);
 }
 

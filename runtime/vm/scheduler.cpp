@@ -161,6 +161,7 @@ void Machine::Impl::close_pass() {
   std::size_t kept = 0;
   for (Thread* thread : threads) {
     if (thread->state != ThreadState::done) {
+      thread->place = kept;
       threads[kept++] = thread;
     } else {
       ended.push_back(thread);

@@ -32,6 +32,9 @@ std::shared_ptr<const BlockCatalog> scratch_blocks() {
   add("control_start_as_clone", Shape::hat, {});
   add("control_create_clone_of", Shape::command, {"CLONE_OPTION"});
   add("control_delete_this_clone", Shape::cap, {});
+  add("control_get_counter", Shape::reporter, {});
+  for (const char* opcode : {"control_incr_counter", "control_clear_counter"})
+    add(opcode, Shape::command, {});
   for (const char* opcode : {"data_showvariable", "data_hidevariable", "data_showlist", "data_hidelist"}) {
     add(opcode, Shape::command, {});
   }

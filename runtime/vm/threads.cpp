@@ -83,11 +83,13 @@ void Machine::Impl::recycle(Thread& thread) {
   spare.push_back(&thread);
 }
 
-Thread* Machine::Impl::find_running(const Script& script, const Instance* instance) const {
+/// The copy of a script that is in the list. One that has ended keeps its place until the pass is over: a
+/// restart takes that place, a hat that does not restart looks past it.
+Thread* Machine::Impl::find_running(const Script& script, const Instance* instance, bool ended_too) const {
   const auto it = running.find(&script);
   if (it == running.end()) return nullptr;
   for (Thread* thread : it->second) {
-    if (thread->instance == instance && thread->state != ThreadState::done) return thread;
+    if (thread->instance == instance && (ended_too || thread->state != ThreadState::done)) return thread;
   }
   return nullptr;
 }
@@ -95,7 +97,7 @@ Thread* Machine::Impl::find_running(const Script& script, const Instance* instan
 /// Starts a script; one that runs already starts again in its place in the list, or (restart false) is left
 /// alone.
 Thread* Machine::Impl::start_thread(const Script& script, Instance* instance, bool restart) {
-  Thread* old = find_running(script, instance);
+  Thread* old = find_running(script, instance, restart);
   if (old && !restart) return nullptr;
   if (!old && threads.size() >= limits.max_threads) {
     if (faults.size() < 1000) {
@@ -110,11 +112,13 @@ Thread* Machine::Impl::start_thread(const Script& script, Instance* instance, bo
   running[&script].push_back(fresh);
   disturb();
   if (old) {
-    *std::find(threads.begin(), threads.end(), old) = fresh;
+    fresh->place = old->place;
+    threads[old->place] = fresh;
     end_thread(*old, ThreadEnd::killed);
     release_waiters(*old);
     if (old != current) drop(*old);
   } else {
+    fresh->place = threads.size();
     threads.push_back(fresh);
   }
   return fresh;
@@ -125,16 +129,13 @@ void Machine::Impl::end_thread(Thread& thread, ThreadEnd why) {
   if (thread.state == ThreadState::done) return;
   thread.state = ThreadState::done;
   thread.end = why;
-  if (thread.script) {
-    std::vector<Thread*>& copies = running[thread.script];
-    std::erase(copies, &thread);
-  }
 }
 
 /// Tells the host and gives the thread's memory back. The thread is in no list any more.
 void Machine::Impl::drop(Thread& thread) {
   if (thread.is_question) give_up(thread, messages::answer_gave_up);
   release_waiters(thread);
+  if (const auto it = running.find(thread.script); it != running.end()) std::erase(it->second, &thread);
   if (thread.script) host.thread_ended(ThreadId{thread.serial}, thread.end);
   recycle(thread);
 }

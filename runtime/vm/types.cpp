@@ -23,6 +23,12 @@ Types of_reporter(const BlockDef& def) {
   return type::number;
 }
 
+Types type_of(const Field& initial) {
+  if (initial.is_truth) return type::truth;
+  if (initial.is_number) return type::number;
+  return is_canonical_number(initial.value) ? type::digits : type::text;
+}
+
 }  // namespace
 
 TypeTable::TypeTable(const Program& program, const std::vector<bool>& runs) : program_(program), runs_(runs) {
@@ -81,10 +87,10 @@ void TypeTable::seed() {
     Types types = 0;
     if (variable.kind == VariableKind::list) {
       for (const Field& item : variable.initial_items) {
-        types |= item.is_number ? type::number : is_canonical_number(item.value) ? type::digits : type::text;
+        types |= type_of(item);
       }
-    } else if (!is_canonical_number(variable.initial.value)) {
-      types = variable.initial.is_number ? type::number : type::text;
+    } else if (variable.initial.is_truth || !is_canonical_number(variable.initial.value)) {
+      types = type_of(variable.initial);
     }
     variables_.push_back(types);
   }
@@ -175,6 +181,11 @@ bool TypeTable::visit(BlockIndex index) {
   if (opcode == "procedures_return") {
     const int around = definition_around(index);
     return around >= 0 && assign(returns_[static_cast<std::size_t>(around)], of_input(block, "VALUE"));
+  }
+  if (opcode == "control_stop") {
+    // "this script" leaves a my-block as its end does: with an empty text.
+    const int around = definition_around(index);
+    return around >= 0 && assign(returns_[static_cast<std::size_t>(around)], type::text);
   }
   return opcode.starts_with("procedures_call") && visit_call(block);
 }

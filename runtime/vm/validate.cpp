@@ -67,6 +67,7 @@ class Validator {
   void check_unknown_parts(const Block& block, const BlockDef& def);
   void check_signature(const Block& block);
   void check_parameter(const Block& block);
+  void check_parameter_count(const Block& block, const Signature& signature);
   const Signature* definition_around(const Block& block) const;
 
   Program& program_;
@@ -79,10 +80,10 @@ class Validator {
 
 void Validator::check_size() {
   const std::size_t count = counted_blocks(program_);
-  if (count <= limits::kBlocks) return;
-  out_.faults.push_back(
-      make_fault("", messages::too_many_blocks,
-                 {{"count", std::to_string(count)}, {"limit", std::to_string(limits::kBlocks)}}));
+  const std::size_t limit = program_.from_scratch ? limits::kScratchBlocks : limits::kBlocks;
+  if (count <= limit) return;
+  out_.faults.push_back(make_fault("", messages::too_many_blocks,
+                                   {{"count", std::to_string(count)}, {"limit", std::to_string(limit)}}));
 }
 
 void Validator::check_packs() {
@@ -152,7 +153,7 @@ void Validator::check_nesting() {
     const int around = depth[static_cast<std::size_t>(block.enclosing)];
     depth[i] = around + 1;
     // Named once, where the limit is passed, and whatever hangs inside is left alone.
-    const bool counts = !block.is_shadow;
+    const bool counts = !literal_field(block);
     if (counts && depth[i] == limits::kNesting + 1 && program_.at(block.enclosing).enclosing != kNone) {
       out_.faults.push_back(
           make_fault(block.id, messages::nested_too_deep, {{"limit", std::to_string(limits::kNesting)}}));
@@ -164,6 +165,7 @@ void Validator::collect_definitions() {
   for (const Block& block : program_.blocks) {
     if (block.opcode != "procedures_definition" || block.signature < 0 || block.disabled) continue;
     const Signature& signature = program_.signatures[static_cast<std::size_t>(block.signature)];
+    check_parameter_count(block, signature);
     if (!definitions_.emplace(signature.id, &signature).second && !program_.from_scratch) {
       fault(block, messages::two_definitions, {{"name", signature.name}});
     }
@@ -174,6 +176,15 @@ void Validator::collect_definitions() {
       }
     }
   }
+}
+
+/// Whether the block runs or not: it is compiled.
+void Validator::check_parameter_count(const Block& block, const Signature& signature) {
+  if (signature.params.size() <= limits::kParameters) return;
+  out_.faults.push_back(make_fault(block.id, messages::too_many_parameters,
+                                   {{"name", signature.name},
+                                    {"count", std::to_string(signature.params.size())},
+                                    {"limit", std::to_string(limits::kParameters)}}));
 }
 
 void Validator::check_block(BlockIndex index) {

@@ -1,6 +1,7 @@
 // `mirada run` and `mirada check`: what runs without a browser.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { archive, catProject } from '../e2e/support/scratch_file.mjs';
 import { changeN, file, fits, flagProgram, mirada, readJson, refused, shipped } from './support.mjs';
 
 const avoid = shipped('blocks/vision/examples/avoid.json');
@@ -35,6 +36,26 @@ test('5,000 blocks in one stack run', () => {
   const run = report([file('long.json', flagProgram(...blocks)), '--world', 'none']);
   assert.equal(run.status, 'finished');
   assert.equal(run.variables.n, 4999);
+});
+
+test('a Scratch project runs from its archive and from its bare JSON, without what needs a stage', () => {
+  const bare = catProject('pen_penDown');
+  const files = [file('cat.sb3', archive({ 'a.svg': '<svg/>', 'project.json': bare })), file('project.json', bare)];
+  for (const path of files) {
+    const run = report([path, '--world', 'none']);
+    assert.equal(run.status, 'finished');
+    assert.deepEqual(run.variables, { 'Cat.lives': '9' });
+    assert.deepEqual(run.say.map(({ text }) => text), ['9']);
+    assert.deepEqual(run.faults.map(({ code }) => code), ['stage_blocks']);
+    assert.match(run.faults[0].message.en ?? run.faults[0].message, /pen_penDown/);
+  }
+});
+
+test('what is no Scratch 3 project is refused in words', () => {
+  refused(mirada(['run', file('old.sb3', archive({ 'project.json': '{"objName":"Stage"}' }))]), /Scratch 2/);
+  refused(mirada(['run', file('cut.sb3', archive({ 'project.json': '{"targets":[' }))]), /byte/);
+  refused(mirada(['run', file('none.sb3', archive({ 'readme.txt': '' }))]), /project\.json/);
+  refused(mirada(['run', file('bomb.sb3', archive({ 'project.json': '[' + ' '.repeat(20 << 20) }))]), /16 MiB/);
 });
 
 test('5,001 blocks, cut-off JSON, an unknown block, no file: each is refused in words', () => {

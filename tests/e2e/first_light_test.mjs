@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { after, afterEach, before, beforeEach, describe, test } from 'node:test';
 import { blockBox, drag, launch, on, openPage } from './support/browser.mjs';
 import { longProgram } from './support/long_program.mjs';
+import { archive, catProject } from './support/scratch_file.mjs';
 import { RealRobot, listen, until } from './support/real_robot.mjs';
 
 const still = ({ wheels }) => wheels.left_mps === 0 && wheels.right_mps === 0;
@@ -152,6 +153,34 @@ describe('first light', { timeout: 600_000 }, () => {
     await until('a running program', () => heard.telemetry?.state === 'running', 60);
     const answer = heard.messages.find(({ type }) => type === 'started' || type === 'refused');
     assert.deepEqual({ type: answer.type, warnings: answer.warnings }, { type: 'started', warnings: [] });
+    await page.click(on.stop);
+    await until('rest', () => heard.telemetry.state === 'idle', 5);
+  });
+
+  test('a Scratch project opens, says what became grey, and runs without it', async () => {
+    const open = async (name, content) => {
+      const buffer = archive({ 'project.json': content, 'picture.svg': '<svg/>' });
+      await page.setInputFiles('input[type=file]', { name, mimeType: 'application/x.scratch.sb3', buffer });
+      const dialog = page.getByRole('dialog');
+      await dialog.waitFor();
+      const words = await dialog.textContent();
+      await page.keyboard.press('Enter');
+      await dialog.waitFor({ state: 'detached' });
+      return words;
+    };
+    assert.match(
+      await open('Pen cat.sb3', catProject('pen_penDown')),
+      /Pen cat.*side by side.*grey.*pen_penDown/,
+    );
+    await page.locator(on.block('extra')).first().waitFor();
+    assert.match(await open('broken.sb3', '{'), /cannot be opened/);
+    assert.match(
+      await open('Cat.sb3', catProject()),
+      /^“Cat” is open\. The scripts of all sprites stand side by side\./,
+    );
+    await page.locator(on.block('loop')).first().waitFor();
+    await page.click(on.flag);
+    await until('a running program', () => heard.telemetry?.state === 'running');
     await page.click(on.stop);
     await until('rest', () => heard.telemetry.state === 'idle', 5);
   });

@@ -1,13 +1,15 @@
-// Runs every program in cases/: {claim, program, ticks?: "world", keys?: [..], expect: {...}}. What is
-// expected is compared exactly; what is not named is not looked at.
+// Runs every program in cases/: {claim, rules?: [of docs/scratch-rules.md], program, ticks?: "world", keys?:
+// [..], expect: {...}}. What is expected is compared exactly; what is not named is not looked at.
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "base/files.h"
 #include "programs/support.h"
+#include "vm/scratch_blocks.h"
 
 namespace mirada::vm::test {
 namespace {
@@ -114,17 +116,124 @@ std::string name_of(const testing::TestParamInfo<fs::path>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Programs, Case, testing::ValuesIn(case_files()), name_of);
 
-void collect_types(const Json& json, std::set<std::string>& types) {
-  if (json.is_object() && json.contains("type") && json["type"].is_string()) types.insert(json["type"]);
+/// The opcodes of a program, ours ("type") or Scratch's ("opcode").
+void collect_opcodes(const Json& json, std::set<std::string>& opcodes) {
+  for (const char* key : {"type", "opcode"}) {
+    if (json.is_object() && json.contains(key) && json[key].is_string()) opcodes.insert(json[key]);
+  }
   for (const auto& item : json.items()) {
-    if (item.value().is_structured()) collect_types(item.value(), types);
+    if (item.value().is_structured()) collect_opcodes(item.value(), opcodes);
   }
 }
 
+std::set<std::string> opcodes_in_cases() {
+  std::set<std::string> opcodes;
+  for (const fs::path& file : case_files()) collect_opcodes(read_case(file)["program"], opcodes);
+  return opcodes;
+}
+
 TEST(Cases, EveryOpcodeOfTheCorePacksHasAProgram) {
-  std::set<std::string> types;
-  for (const fs::path& file : case_files()) collect_types(read_case(file)["program"], types);
-  for (const auto& [opcode, def] : core_catalog().all()) EXPECT_TRUE(types.contains(opcode)) << opcode;
+  const std::set<std::string> opcodes = opcodes_in_cases();
+  for (const auto& [opcode, def] : core_catalog().all()) EXPECT_TRUE(opcodes.contains(opcode)) << opcode;
+  for (const auto& [opcode, def] : scratch_blocks()->all()) EXPECT_TRUE(opcodes.contains(opcode)) << opcode;
+}
+
+/// Scratch 3's own blocks that need no stage: each is known here and has a program.
+TEST(Cases, EveryStagelessOpcodeOfScratchIsKnownAndHasAProgram) {
+  const std::set<std::string> opcodes = opcodes_in_cases();
+  const auto scratch = scratch_blocks();
+  constexpr const char* kOpcodes[] = {"event_whenflagclicked",
+                                      "event_whenkeypressed",
+                                      "event_whenbroadcastreceived",
+                                      "event_whengreaterthan",
+                                      "event_broadcast",
+                                      "event_broadcastandwait",
+                                      "control_wait",
+                                      "control_repeat",
+                                      "control_forever",
+                                      "control_if",
+                                      "control_if_else",
+                                      "control_wait_until",
+                                      "control_repeat_until",
+                                      "control_while",
+                                      "control_for_each",
+                                      "control_all_at_once",
+                                      "control_stop",
+                                      "control_start_as_clone",
+                                      "control_create_clone_of",
+                                      "control_delete_this_clone",
+                                      "control_get_counter",
+                                      "control_incr_counter",
+                                      "control_clear_counter",
+                                      "operator_add",
+                                      "operator_subtract",
+                                      "operator_multiply",
+                                      "operator_divide",
+                                      "operator_random",
+                                      "operator_gt",
+                                      "operator_lt",
+                                      "operator_equals",
+                                      "operator_and",
+                                      "operator_or",
+                                      "operator_not",
+                                      "operator_join",
+                                      "operator_letter_of",
+                                      "operator_length",
+                                      "operator_contains",
+                                      "operator_mod",
+                                      "operator_round",
+                                      "operator_mathop",
+                                      "data_variable",
+                                      "data_setvariableto",
+                                      "data_changevariableby",
+                                      "data_showvariable",
+                                      "data_hidevariable",
+                                      "data_listcontents",
+                                      "data_addtolist",
+                                      "data_deleteoflist",
+                                      "data_deletealloflist",
+                                      "data_insertatlist",
+                                      "data_replaceitemoflist",
+                                      "data_itemoflist",
+                                      "data_itemnumoflist",
+                                      "data_lengthoflist",
+                                      "data_listcontainsitem",
+                                      "data_showlist",
+                                      "data_hidelist",
+                                      "procedures_definition",
+                                      "procedures_call",
+                                      "argument_reporter_string_number",
+                                      "argument_reporter_boolean",
+                                      "sensing_timer",
+                                      "sensing_resettimer",
+                                      "looks_say",
+                                      "looks_think",
+                                      "looks_sayforsecs",
+                                      "looks_thinkforsecs"};
+  for (const char* opcode : kOpcodes) {
+    EXPECT_TRUE(core_catalog().find(opcode) || scratch->find(opcode)) << opcode;
+    EXPECT_TRUE(opcodes.contains(opcode)) << opcode;
+  }
+}
+
+/// docs/scratch-rules.md numbers its rules in lines "1. ...".
+TEST(Cases, EveryRuleOfScratchHasAProgram) {
+  std::set<int> claimed;
+  for (const fs::path& file : case_files()) {
+    for (const Json& rule : read_case(file).value("rules", Json::array())) claimed.insert(rule.get<int>());
+  }
+  const Result<std::string> page = read_file(std::string(MIRADA_SOURCE_DIR) + "/docs/scratch-rules.md");
+  ASSERT_TRUE(page.ok());
+  std::istringstream lines(*page);
+  std::set<int> rules;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t dot = line.find(". ");
+    if (dot != 0 && dot <= 2 && std::isdigit(static_cast<unsigned char>(line[0]))) {
+      rules.insert(std::stoi(line));
+    }
+  }
+  EXPECT_EQ(rules.size(), 23U);
+  EXPECT_EQ(claimed, rules);
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ TEST(HttpRouter, only_get_and_stop_go_without_the_right_origin) {
   EXPECT_EQ(refused(request("GET", "/api/packs")), 0u);
   EXPECT_EQ(refused(request("POST", "/api/stop")), 0u);
   EXPECT_EQ(refused(request("POST", "/api/check")), 403u);
+  EXPECT_EQ(refused(request("POST", "/api/scratch")), 403u);
   EXPECT_EQ(refused(request("DELETE", "/")), 403u);
   HttpRequest socket = request("GET", "/ws");
   socket.upgrade = true;
@@ -90,6 +91,7 @@ TEST(HttpRouter, nothing_that_was_sent_comes_back_in_a_page) {
 
 TEST(HttpRouter, bodies_are_small_but_for_programs) {
   EXPECT_EQ(body_limit(request("POST", "/api/check")), 4u << 20);
+  EXPECT_EQ(body_limit(request("POST", "/api/scratch")), 4u << 20);
   EXPECT_EQ(body_limit(request("POST", "/api/other")), 256u << 10);
 }
 

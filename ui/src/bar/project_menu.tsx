@@ -17,7 +17,20 @@ function download(now: Editor): void {
   window.setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
+const maxScratchBytes = 200e6;
+
+/** A Scratch project is an archive, or (unpacked) JSON whose first word is its list of targets. */
+async function isScratch(file: File): Promise<boolean> {
+  if (/\.sb[23]?$/i.test(file.name)) return true;
+  const start = await file.slice(0, 64).text();
+  return start.startsWith('PK') || /^\s*\{\s*"targets"/.test(start);
+}
+
 async function openFile(now: Editor, file: File): Promise<void> {
+  if (file.size <= maxScratchBytes && (await isScratch(file))) {
+    tell(await now.openScratch(new Uint8Array(await file.arrayBuffer()), file.name));
+    return;
+  }
   const bad = await now.openText(file.size > 8e6 ? 'x'.repeat(5e6) : await file.text(), file.name);
   if (bad) tell(t(bad));
 }
@@ -80,6 +93,11 @@ export function ProjectMenu() {
     close();
     what();
   };
+  const choose = (accept: string) => {
+    if (!file.current) return;
+    file.current.accept = accept;
+    file.current.click();
+  };
   const name = (
     <span class="project-name" data-testid="project-name" onPointerDown={refresh}>
       {projectName.value || t('untitled')} ▾
@@ -94,7 +112,10 @@ export function ProjectMenu() {
               <MenuItem onClick={act(close, () => rename(now))}>{t('rename')}</MenuItem>
               <MenuItem onClick={act(close, () => void now.newProject())}>{t('new_project')}</MenuItem>
               <MenuItem onClick={act(close, () => download(now))}>{t('download')}</MenuItem>
-              <MenuItem onClick={act(close, () => file.current?.click())}>{t('open_file')}</MenuItem>
+              <MenuItem onClick={act(close, () => choose('.json,application/json'))}>
+                {t('open_file')}
+              </MenuItem>
+              <MenuItem onClick={act(close, () => choose('.sb3,.sb2,.json'))}>{t('open_scratch')}</MenuItem>
               <MenuItem onClick={act(close, () => remove(now))}>{t('delete_project')}</MenuItem>
               <h3>{t('my_projects')}</h3>
               <Projects now={now} projects={projects.value} close={close} />

@@ -8,8 +8,9 @@ import { answerClicks } from '../canvas/value_bubble';
 import { askText } from '../dialogs/ask';
 import { type MessageKey, lang, say, t } from '../messages';
 import { type Program, eachBlock, makeProgram, readProgram } from '../model/program';
+import { type Bytes, onlyProject } from '../model/scratch_file';
 import type { Lang } from '../model/words';
-import type { Robot } from '../wire/api';
+import { type OpenedScratch, type Robot, openScratch } from '../wire/api';
 import type { Example } from '../wire/protocol';
 import { Keeper, emptyProject, lastProject, projectName, recover } from './project';
 import { codeWanted, faults, giveCode, noteKey, run, startFaults, telemetry } from './robot';
@@ -119,6 +120,18 @@ export class Editor {
     await this.openNew(read.program, read.program.name);
     noteKey('info', 'opened_file', { name: read.program.name });
     return null;
+  }
+
+  /** Opens a Scratch file as a project of its own; a refused one changes nothing. Returns what there is to say. */
+  async openScratch(bytes: Bytes, fileName: string): Promise<string> {
+    const opened = await openScratch(onlyProject(bytes)).catch((): OpenedScratch | null => null);
+    if (!opened) return t('scratch_no_robot');
+    const words = opened.faults.map((fault) => say(fault.message));
+    const name = fileName.replace(/\.(sb3|json)$/i, '') || t('untitled');
+    const read = readProgram(JSON.stringify(opened.program), name);
+    if ('bad' in read) return [t('scratch_refused'), ...words].join(' ');
+    await this.openNew({ ...read.program, name }, name);
+    return [t('opened_scratch', { name }), ...words].join(' ');
   }
 
   rename(name: string): void {

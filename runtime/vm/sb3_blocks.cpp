@@ -1,0 +1,252 @@
+// The blocks of one target of a Scratch project.
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "vm/messages.h"
+#include "vm/sb3_reader.h"
+
+namespace mirada::vm {
+namespace {
+
+using Json = nlohmann::json;
+
+/// What the first number of a compressed socket says (Scratch's sb3 format); 4 to 10 are literals.
+constexpr double kMessagePrimitive = 11;
+constexpr double kVariablePrimitive = 12;
+constexpr double kListPrimitive = 13;
+constexpr double kFirstPrimitive = 4;
+
+bool is_literal_opcode(const std::string& opcode) { return opcode == "text" || opcode.starts_with("math_"); }
+
+}  // namespace
+
+void ProjectReader::read_scripts(const Target& target) {
+  path_ = target.path + "/blocks";
+  const Json* blocks = object_field(*target.json, "blocks", target.path);
+  if (!blocks) return;
+  blocks_.clear();
+  reached_.clear();
+  for (const auto& [id, json] : blocks->items()) {
+    // A list is a variable or list reporter that lies about by itself.
+    if (!json.is_object() && !json.is_array()) wrong(path_ + "/" + id, "{opcode, ...}", json);
+    if (json.is_object()) blocks_.emplace(id, &json);
+  }
+  for (const std::string& id : *target.block_order) {
+    const auto it = blocks_.find(id);
+    if (it == blocks_.end() || !truth_at(*it->second, "topLevel")) continue;
+    const BlockIndex index = add_block(id, kNone, kNone);
+    if (index != kNone) program_.tops.push_back(index);
+    for (std::size_t next = 0; next < tasks_.size(); ++next) fill(Task(tasks_[next]));
+    tasks_.clear();
+  }
+}
+
+/// The block with this id, at the place where another names it. One that is not there, or that hangs
+/// somewhere already, is left out and said: the rest can run.
+BlockIndex ProjectReader::add_block(const std::string& id, BlockIndex parent, BlockIndex enclosing) {
+  const auto it = blocks_.find(id);
+  if (it == blocks_.end()) {
+    warning(parent == kNone ? path_ : program_.at(parent).id, messages::dangling_block, {{"id", id}});
+    return kNone;
+  }
+  if (!reached_.insert(id).second) {
+    warning(parent == kNone ? id : program_.at(parent).id, messages::block_cycle, {{"id", id}});
+    return kNone;
+  }
+  const Json& json = *it->second;
+  const std::string path = path_ + "/" + id;
+  const Json* opcode = find_field(json, "opcode");
+  if (!opcode || !opcode->is_string()) wrong(path + "/opcode", "text", opcode ? *opcode : Json());
+  const auto index = static_cast<BlockIndex>(program_.blocks.size());
+  Block& block = program_.blocks.emplace_back();
+  block.id = id;
+  while (program_.by_id.contains(block.id)) block.id += "@" + std::to_string(sprite_);
+  block.opcode = text_at(json, "opcode");
+  block.parent = parent;
+  block.enclosing = enclosing;
+  block.sprite = sprite_;
+  block.is_shadow = truth_at(json, "shadow");
+  program_.by_id.emplace(block.id, index);
+  tasks_.push_back({&json, index, path});
+  return index;
+}
+
+BlockIndex ProjectReader::add_literal(const Json& value, BlockIndex parent) {
+  const auto index = static_cast<BlockIndex>(program_.blocks.size());
+  Block& block = program_.blocks.emplace_back();
+  block.id = program_.at(parent).id + "/" + std::to_string(index);
+  block.opcode = "text";
+  block.fields.push_back(
+      {.name = "TEXT", .value = plain_text(value), .id = {}, .is_number = value.is_number()});
+  block.parent = block.enclosing = parent;
+  block.is_shadow = true;
+  block.sprite = sprite_;
+  return index;
+}
+
+BlockIndex ProjectReader::add_named(const char* opcode, const char* field, const Json& primitive,
+                                    VariableKind kind, BlockIndex parent) {
+  const std::string name = plain_text(primitive[1]);
+  const std::string id = primitive.size() > 2 ? plain_text(primitive[2]) : "";
+  const BlockIndex index = add_literal(Json(), parent);
+  Block& block = program_.at(index);
+  block.opcode = opcode;
+  block.is_shadow = false;
+  block.fields = {{.name = field, .value = name, .id = variable_id(name, id, kind)}};
+  program_.by_id.emplace(block.id, index);
+  return index;
+}
+
+/// What stands in a socket: nothing, a block's id, or a compressed literal, variable, list or message.
+BlockIndex ProjectReader::add_content(const Json& content, BlockIndex parent, const std::string& path) {
+  if (content.is_null()) return kNone;
+  if (content.is_string()) return add_block(content.get<std::string>(), parent, parent);
+  const bool primitive = content.is_array() && content.size() >= 2 && content[0].is_number();
+  const double kind = primitive ? content[0].get<double>() : 0;
+  if (!(kind >= kFirstPrimitive && kind <= kListPrimitive) || content[1].is_structured()) {
+    wrong(path, "id | [4..13, value]", content);
+    return kNone;
+  }
+  if (kind == kVariablePrimitive) {
+    return add_named("data_variable", "VARIABLE", content, VariableKind::scalar, parent);
+  }
+  if (kind == kListPrimitive) {
+    return add_named("data_listcontents", "LIST", content, VariableKind::list, parent);
+  }
+  return add_literal(content[1], parent);
+}
+
+void ProjectReader::fill(const Task& task) {
+  read_fields(task);
+  const std::string opcode = program_.at(task.index).opcode;
+  if (opcode == "procedures_definition") {
+    read_definition(task);
+  } else {
+    if (opcode == "procedures_call") read_call(task);
+    read_inputs(task);
+  }
+  settle(program_.at(task.index));
+  read_next(task);
+}
+
+/// Blocks whose meaning hangs on a field, in words that the catalog knows.
+void ProjectReader::settle(Block& block) {
+  // A menu's shadow is the text of its only field.
+  if (block.is_shadow && block.fields.size() == 1 && !block.opcode.starts_with("argument_reporter") &&
+      !is_literal_opcode(block.opcode)) {
+    block.opcode = "text";
+    block.fields[0].name = "TEXT";
+  }
+  const Field* what = block.field("WHENGREATERTHANMENU");
+  if (block.opcode == "event_whengreaterthan" && what && what->value != "TIMER") {
+    block.opcode += " " + what->value;  // the loudness: no robot hears
+  }
+}
+
+void ProjectReader::read_next(const Task& task) {
+  const Json* next = find_field(*task.json, "next");
+  if (!next || next->is_null()) return;
+  if (!next->is_string()) return wrong(task.path + "/next", "id", *next);
+  const BlockIndex follower =
+      add_block(next->get<std::string>(), task.index, program_.at(task.index).enclosing);
+  program_.at(task.index).next = follower;
+}
+
+void ProjectReader::read_fields(const Task& task) {
+  const Json* fields = object_field(*task.json, "fields", task.path);
+  if (!fields) return;
+  for (const auto& [name, value] : fields->items()) {
+    if (!value.is_array() || value.empty() || value[0].is_structured()) {
+      wrong(task.path + "/fields/" + name, "[value, id]", value);
+      continue;
+    }
+    Field field{.name = name, .value = plain_text(value[0]), .id = {}, .is_number = value[0].is_number()};
+    const std::string id = value.size() > 1 ? plain_text(value[1]) : "";
+    if (name == "VARIABLE") field.id = variable_id(field.value, id, VariableKind::scalar);
+    if (name == "LIST") field.id = variable_id(field.value, id, VariableKind::list);
+    program_.at(task.index).fields.push_back(std::move(field));
+  }
+}
+
+void ProjectReader::read_inputs(const Task& task) {
+  const Json* inputs = object_field(*task.json, "inputs", task.path);
+  if (!inputs) return;
+  for (const auto& [name, value] : inputs->items()) {
+    if (value.is_array()) {
+      read_input(task, name, value);
+    } else {
+      wrong(task.path + "/inputs/" + name, "[1..3, id | [...]]", value);
+    }
+  }
+}
+
+/// [1, shadow], [2, block] or [3, block, the shadow beneath]. Some writers have 1 where 2 is meant, so what
+/// counts is whether the block says that it is a shadow.
+void ProjectReader::read_input(const Task& task, const std::string& name, const Json& value) {
+  const std::string path = task.path + "/inputs/" + name;
+  const Json nothing;
+  const Json& content = value.size() > 1 ? value[1] : nothing;
+  const bool message = content.is_array() && content.size() > 1 && content[0] == kMessagePrimitive;
+  if (name == "BROADCAST_INPUT" && message) {
+    program_.at(task.index).fields.push_back({.name = name, .value = plain_text(content[1])});
+    return;
+  }
+  Input input{.name = name};
+  const BlockIndex first = add_content(content, task.index, path + "/1");
+  const bool shadow = first != kNone && program_.at(first).is_shadow;
+  (shadow ? input.shadow : input.block) = first;
+  if (!shadow && value.size() > 2) input.shadow = add_content(value[2], task.index, path + "/2");
+  program_.at(task.index).inputs.push_back(std::move(input));
+}
+
+/// A list that Scratch keeps as text within the JSON.
+std::vector<std::string> ProjectReader::text_list(const Json& mutation, const char* name,
+                                                  const std::string& place) {
+  std::vector<std::string> out;
+  const Json* kept = find_field(mutation, name);
+  if (!kept) return out;
+  const Json parsed = kept->is_string() ? Json::parse(plain_text(*kept), nullptr, false) : *kept;
+  if (!parsed.is_array()) {
+    wrong(place + "/mutation/" + name, "\"[text, ...]\"", *kept);
+    return out;
+  }
+  for (const Json& item : parsed) out.push_back(plain_text(item));
+  return out;
+}
+
+/// The head of a my-block is a block of its own, under the definition's socket.
+void ProjectReader::read_definition(const Task& task) {
+  const Json* inputs = find_field(*task.json, "inputs");
+  const Json* head = inputs ? find_field(*inputs, "custom_block") : nullptr;
+  const bool named = head && head->is_array() && head->size() > 1 && (*head)[1].is_string();
+  const auto it = named ? blocks_.find((*head)[1].get<std::string>()) : blocks_.end();
+  const Json* mutation = it == blocks_.end() ? nullptr : find_field(*it->second, "mutation");
+  if (!mutation || !mutation->is_object()) {
+    return warning(program_.at(task.index).id, messages::signature_missing);
+  }
+  Signature signature;
+  signature.id = signature.name = text_at(*mutation, "proccode");
+  signature.warp = text_at(*mutation, "warp") == "true";
+  const std::vector<std::string> ids = text_list(*mutation, "argumentids", task.path);
+  const std::vector<std::string> names = text_list(*mutation, "argumentnames", task.path);
+  const std::vector<std::string> defaults = text_list(*mutation, "argumentdefaults", task.path);
+  for (std::size_t i = 0; i < std::min(ids.size(), names.size()); ++i) {
+    signature.params.push_back({ids[i], names[i], ParamType::raw, i < defaults.size() ? defaults[i] : ""});
+  }
+  program_.at(task.index).signature = static_cast<std::int32_t>(program_.signatures.size());
+  program_.signatures.push_back(std::move(signature));
+}
+
+void ProjectReader::read_call(const Task& task) {
+  const Json* mutation = find_field(*task.json, "mutation");
+  if (!mutation || !mutation->is_object()) {
+    return warning(program_.at(task.index).id, messages::signature_missing);
+  }
+  Signature signature;
+  signature.id = signature.name = text_at(*mutation, "proccode");
+  program_.at(task.index).signature = static_cast<std::int32_t>(program_.signatures.size());
+  program_.signatures.push_back(std::move(signature));
+}
+
+}  // namespace mirada::vm
