@@ -271,10 +271,13 @@ Operand Compiler::as_number(Operand operand) {
 Operand Compiler::as_value(Operand operand) {
   if (operand.kind == Kind::value) return operand;
   build_->free(operand);
-  const Op op = operand.types == type::truth    ? Op::box_t
-                : operand.types == type::digits ? Op::box_digits
-                                                : Op::box_n;
-  return emit_to(Kind::value, operand.types, op, operand.reg);
+  return emit_to(Kind::value, operand.types, box_of(operand), operand.reg);
+}
+
+/// The instruction that makes a value of what a number register holds.
+Op Compiler::box_of(const Operand& operand) {
+  if (operand.types == type::truth) return Op::box_t;
+  return operand.types == type::digits ? Op::box_digits : Op::box_n;
 }
 
 Operand Compiler::as_truth(Operand operand) {

@@ -138,14 +138,20 @@ Operand Compiler::read(const Place& place) {
   return emit_to(place.kind, place.types, place.kind == Kind::number ? Op::load_n : Op::load_v, place.reg);
 }
 
+/// `from` stays the caller's, who frees it.
 void Compiler::write(const Place& place, const Operand& from) {
-  const Operand source = place.kind == Kind::value ? as_value(from) : from;
+  const bool boxes = place.kind == Kind::value && from.kind == Kind::number;
+  if (boxes && !place.own) {
+    build_->emit(box_of(from), place.reg, from.reg);
+    return;
+  }
+  const Operand source = boxes ? emit_to(Kind::value, from.types, box_of(from), from.reg) : from;
   if (place.own) {
     build_->emit(place.kind == Kind::number ? Op::store_n : Op::store_v, source.reg, place.reg);
   } else if (!build_->retarget(source, place.reg)) {
     build_->emit(place.kind == Kind::number ? Op::set : Op::copy, place.reg, source.reg);
   }
-  if (source.reg != from.reg) build_->free(source);
+  if (boxes) build_->free(source);
 }
 
 std::int32_t Compiler::list_of(const Block& block) {

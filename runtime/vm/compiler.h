@@ -81,6 +81,7 @@ class Compiler {
   Operand truth_input(const Block& block, std::string_view name);
   Operand as_number(Operand operand);
   Operand as_value(Operand operand);
+  static Op box_of(const Operand& operand);
   Operand as_truth(Operand operand);
   Operand kept(Operand operand);  ///< copied when a later input could change it
   Operand literal(const Block& block);

@@ -116,7 +116,7 @@ TEST(Abuse, ListsThatGrowForEverStopAtScratchsLimitOrAtTheMemorys) {
                    "add-" + name);
   };
   Limits limits;
-  limits.max_total_bytes = 4u << 20;
+  limits.max_total_bytes = 16u << 20;
   limits.executions_per_tick = 1'000'000;
   const Json fresh =
       block("operator_join", {{"STRING1", in(var("alive"))}, {"STRING2", text(std::string(200, 'x'))}});

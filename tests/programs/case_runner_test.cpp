@@ -135,7 +135,8 @@ std::set<std::string> opcodes_in_cases() {
 TEST(Cases, EveryOpcodeOfTheCorePacksHasAProgram) {
   const std::set<std::string> opcodes = opcodes_in_cases();
   for (const auto& [opcode, def] : core_catalog().all()) EXPECT_TRUE(opcodes.contains(opcode)) << opcode;
-  for (const auto& [opcode, def] : scratch_blocks()->all()) EXPECT_TRUE(opcodes.contains(opcode)) << opcode;
+  const auto scratch = scratch_blocks();
+  for (const auto& [opcode, def] : scratch->all()) EXPECT_TRUE(opcodes.contains(opcode)) << opcode;
 }
 
 /// Scratch 3's own blocks that need no stage: each is known here and has a program.
