@@ -9,14 +9,15 @@ fuzz_one() {
     "$corpus" tests/fuzz/corpus/"$1" >"$logs/fuzz-$1.log" 2>&1
 }
 
-# All three at once on as many cores as there are; the log of one that has found something is shown.
+# The readers' at once (MIRADA_FUZZERS names others: machine compares with the reference); the log of one that has found
+# something is shown.
 run_fuzzers() {
   local target status=0 good=0 bad=0
   local -A running=()
   configure fuzz
   cmake --build --preset fuzz
   export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1 UBSAN_OPTIONS=print_stacktrace=1
-  for target in program scratch machine; do
+  for target in ${MIRADA_FUZZERS:-program scratch}; do
     fuzz_one "$target" &
     running[$target]=$!
   done

@@ -1,5 +1,7 @@
 #include "fuzz/reference/compare.h"
 
+#include <variant>
+
 #include "base/clock.h"
 #include "base/random.h"
 #include "fuzz/reference/evaluate.h"
@@ -19,14 +21,12 @@ class QuietHost final : public Host {
   Random chance{1, "program"};
 };
 
+// A text that some number prints as may be kept as that number, so the two are not told apart.
 std::string kind_and_text(const Value& value) {
-  const char* kinds[] = {"number ", "text ", "truth "};
-  return kinds[value.index()] + to_text(value);
+  return (std::holds_alternative<bool>(value) ? "truth " : "") + to_text(value);
 }
 
-std::string kind_and_text(const MonitorValue& value) {
-  return (value.is_number ? "number " : value.is_truth ? "truth " : "text ") + value.text;
-}
+std::string kind_and_text(const MonitorValue& value) { return (value.is_truth ? "truth " : "") + value.text; }
 
 /// Ticks until every script has ended; false when that takes too long.
 bool finish(Machine& machine, QuietHost& host) {
