@@ -25,50 +25,6 @@ std::vector<Json> projects() {
   return out;
 }
 
-void expect_same_values(const Json& expect, const Machine& machine) {
-  const auto variables = machine.variables();
-  const auto lists = machine.lists(200'000);
-  const Json wanted_variables = expect.value("variables", Json::object());
-  const Json wanted_lists = expect.value("lists", Json::object());
-  for (const auto& [name, want] : wanted_variables.items()) {
-    if (name.find('.') != std::string::npos) continue;  // a sprite's own has another name here
-    const std::string text = want.is_string() ? want.get<std::string>() : want.dump();
-    EXPECT_EQ(variables.at(name).text, text) << name;
-  }
-  for (const auto& [name, want] : wanted_lists.items()) {
-    if (name.find('.') != std::string::npos) continue;
-    ASSERT_EQ(lists.at(name).size(), want.size()) << name;
-    for (std::size_t i = 0; i < want.size(); ++i) {
-      const std::string text = want[i].is_string() ? want[i].get<std::string>() : want[i].dump();
-      EXPECT_EQ(lists.at(name)[i].text, text) << name << " item " << i + 1;
-    }
-  }
-}
-
-TEST(ScratchImport, WhatNeedsNoPlaceholderRunsAsItDidInScratch) {
-  int run_here = 0;
-  for (const Json& json : projects()) {
-    SCOPED_TRACE(json["claim"].get<std::string>());
-    const std::string text = json["program"].dump();
-    // One canvas is one sprite; "all at once" is warp here; a call of ours has no defaults for empty slots.
-    const bool differs = text.find("other scripts") != std::string::npos ||
-                         text.find("control_all_at_once") != std::string::npos ||
-                         text.find("flags %b %s") != std::string::npos;
-    if (differs) continue;
-    const ImportedProject imported = import_scratch(text, core_catalog(), "Imported");
-    ASSERT_FALSE(imported.program_json.empty());
-    const Json program = Json::parse(imported.program_json);
-    EXPECT_EQ(program["name"], "Imported");
-    if (!imported.faults.empty()) continue;
-    ++run_here;
-    Running run(std::string_view(imported.program_json));
-    for (const auto& key : json.value("keys", Json::array())) run.machine->key(key, true);
-    run.finish(30, json.value("ticks", "back to back") != "world");
-    expect_same_values(json["expect"], *run.machine);
-  }
-  EXPECT_GT(run_here, 15);
-}
-
 TEST(ScratchImport, WhatTheRobotLacksIsListedOnceAndKept) {
   for (const Json& json : projects()) {
     if (json["claim"] != "blocks that need a stage are skipped and said in one message") continue;
