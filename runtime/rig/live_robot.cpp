@@ -11,10 +11,12 @@ namespace {
 
 constexpr Micros kMostBehind = 60 * kMillisecond;
 
-session::SessionOptions session_options(const LiveParts& parts) {
+/// Live, a tick is bounded by wall time, not by block executions.
+session::SessionOptions session_options(const LiveParts& parts, const Clock& wall) {
   session::SessionOptions out;
   out.seed = parts.setup.seed;
   out.runs_before = parts.runs_before;
+  out.limits = vm::live_limits(wall);
   return out;
 }
 
@@ -42,7 +44,7 @@ LiveRobot::LiveRobot(const LiveParts& parts, std::unique_ptr<hal::Camera> camera
              make_detectors(parts.robot), robot::Timing::live, *clock_, wall_),
       link_(std::make_shared<blocks::Link>()),
       packs_(shipped_packs(link_)),
-      session_(robot_, packs_.catalog, session_options(parts)) {
+      session_(robot_, packs_.catalog, session_options(parts, wall_)) {
   link_->robot = &robot_;
   link_->host = &session_.host();
   robot_.observe();
@@ -65,6 +67,7 @@ void LiveRobot::step(PictureEncoder& encoder) {
     next_tick_ = simulation_.now() + kTick;
     session_.tick();
   }
+  wake_scripts();
   const Frame& frame = robot_.perception().frame();
   if (wanted_.camera && frame.number != shown_frame_) {
     shown_frame_ = frame.number;
@@ -73,8 +76,17 @@ void LiveRobot::step(PictureEncoder& encoder) {
   if (board_.due(clock_->now(), session_.run(), session_.state())) publish();
 }
 
+/// A script that has waited long enough does not wait for the next beat.
+void LiveRobot::wake_scripts() {
+  const Micros last_step = simulation_.now();
+  const Micros now = std::clamp(wall_.now() - wall_behind_, last_step, last_step + kWorldStep - 1);
+  if (session_.next_timer() > now) return;
+  clock_->set(now);
+  session_.tick();
+}
+
 Micros LiveRobot::idle_for() const {
-  const Micros next = simulation_.now() + kWorldStep;
+  const Micros next = std::min(simulation_.now() + kWorldStep, session_.next_timer());
   return std::max<Micros>(0, next - (wall_.now() - wall_behind_));
 }
 

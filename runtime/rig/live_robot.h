@@ -45,9 +45,11 @@ class LiveRobot {
  private:
   LiveRobot(const LiveParts& parts, std::unique_ptr<hal::Camera> camera, std::unique_ptr<ManualClock> clock);
   void publish();
+  void wake_scripts();
 
   session::Setup setup_;
-  std::unique_ptr<ManualClock> clock_;  ///< the robot's: the simulation's time
+  std::unique_ptr<ManualClock>
+      clock_;  ///< the robot's: the simulation's time, and between its steps a waking script's
   SteadyClock wall_;
   world::Simulation simulation_;
   std::unique_ptr<hal::Camera> camera_;  ///< null: the simulation's

@@ -1,5 +1,7 @@
 #include "session/session.h"
 
+#include <limits>
+
 #include "session/messages.h"
 #include "session/needs.h"
 
@@ -159,6 +161,13 @@ void Session::tick() {
     update_needs();
   }
   robot_->act();
+}
+
+Micros Session::next_timer() const {
+  constexpr Micros kNever = std::numeric_limits<Micros>::max();
+  if (phase_ != Phase::running || paused_) return kNever;
+  const Micros wake = machine_->next_timer();
+  return wake == kNever ? kNever : last_tick_ + (wake - host_.now());
 }
 
 void Session::run_scripts() {

@@ -47,7 +47,7 @@ class Session {
   /// Panels that somebody looks at.
   void want(const Wanted& wanted);
 
-  /// One VM tick (20 ms): wake-ups, scripts, commands.
+  /// One VM tick: wake-ups, scripts, commands. Every 20 ms; live also when next_timer() is due.
   void tick();
 
   /// From any thread, before Safety::stop(): what it is for.
@@ -58,6 +58,8 @@ class Session {
   RunState state() const;
   StopReason stop_reason() const { return stop_reason_; }
   bool running() const { return phase_ != Phase::idle; }
+  /// When, on the robot's clock, a waiting script wants a tick of its own; INT64_MAX = none does.
+  Micros next_timer() const;
   bool evaluating() const { return evaluations_.any(); }
   std::uint64_t run() const { return run_; }
   const std::deque<vm::BlockFault>& faults() const { return faults_; }
