@@ -2,6 +2,7 @@
 
 #include "blocks/call_checks.h"
 #include "model/angles.h"
+#include "robot/sureness.h"
 
 namespace mirada::blocks {
 namespace {
@@ -22,6 +23,13 @@ NativeResult obstacle_distance(robot::Robot& robot, NativeCall& call) {
   if (!std::isfinite(right_deg)) return NativeResult::of(0.0);
   const SonarReading reading = robot.obstacle_at(bearing_from_block(right_deg)).reading;
   return NativeResult::of(measured(reading.answer) ? round_to_tenth(reading.distance_m * 100) : 0.0);
+}
+
+/// In percent, whole.
+NativeResult how_sure(robot::Robot& robot, NativeCall& call) {
+  const double right_deg = call.number(0);
+  if (!std::isfinite(right_deg)) return NativeResult::of(0.0);
+  return NativeResult::of(std::round(100 * robot::sureness(robot.sonar().at(bearing_from_block(right_deg)))));
 }
 
 NativeResult way_clear(robot::Robot& robot, NativeCall& call) {
@@ -75,6 +83,7 @@ NativeResult face_value(robot::Robot& robot, NativeCall& call) {
 
 void add_vision_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>& link) {
   table["vision_obstacle_distance"] = with_robot(link, obstacle_distance);
+  table["vision_how_sure"] = with_robot(link, how_sure);
   table["vision_way_clear"] = with_robot(link, way_clear);
   table["vision_nearest_direction"] = with_robot(link, nearest_direction);
   table["vision_obstacle_seen"] = with_robot(link, obstacle_seen);

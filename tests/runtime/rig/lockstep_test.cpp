@@ -157,6 +157,7 @@ TEST(Lockstep, WhatStoodInTheWayStaysThereWhenTheRobotComesNearer) {
 
 TEST(Lockstep, WithoutAWorldNothingIsSeen) {
   EXPECT_EQ(said("vision_obstacle_distance", number_input("ANGLE", "0")), "0");
+  EXPECT_EQ(said("vision_how_sure", number_input("ANGLE", "0")), "0");
   EXPECT_EQ(said("vision_nearest_direction"), "180");
   EXPECT_EQ(said("vision_obstacle_seen"), "false");
   EXPECT_EQ(said("vision_way_clear", number_input("DISTANCE", "40")), "false");
@@ -175,6 +176,15 @@ TEST(Lockstep, LooksWhereItIsToldAsFarAsItCan) {
   EXPECT_EQ(far.say.at(0).text, "-80");
   EXPECT_TRUE(has_fault(far, "look", "pan_clamped"));
   EXPECT_EQ(far.status, RunStatus::finished);
+}
+
+TEST(Lockstep, SaysHowSureItIsOfADistanceThatItSees) {
+  const std::string sure = block({"vision_how_sure", "sure", number_input("ANGLE", "0"), ""});
+  const RunReport report =
+      run(flag(block({"looks_say", "say", block_input("MESSAGE", sure), ""})), in_room("sala-1"));
+  ASSERT_EQ(report.say.size(), 1u);
+  EXPECT_GT(std::stod(report.say[0].text), 20);
+  EXPECT_LE(std::stod(report.say[0].text), 100);
 }
 
 TEST(Lockstep, SeesTheFirstTimeItIsAsked) {
