@@ -7,11 +7,13 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "base/files.h"
 #include "commands.h"
 #include "lab_messages.h"
 #include "rig/lab/lab_distances.h"
 #include "rig/lab/lab_keep.h"
 #include "rig/lab/lab_pictures.h"
+#include "rig/lab/lab_plot.h"
 #include "rig/lab/lab_score.h"
 #include "rig/lab/messages.h"
 
@@ -31,6 +33,7 @@ struct LabOptions {
   bool mount_errors = false;
   std::string folder;
   std::string keep;
+  std::string plot;
   std::string floor_method = "learnt";
   bool lines_are_obstacles = false;
   bool json = false;
@@ -84,8 +87,13 @@ void print_table(const rig::LabTable& table) {
   }
 }
 
-void report(const std::vector<rig::LabSample>& samples, const LabOptions& options) {
+/// Prints the tables, after the plot was drawn; the exit code.
+int report(const std::vector<rig::LabSample>& samples, const LabOptions& options) {
   const auto tables = rig::score_tables(samples);
+  if (!options.plot.empty()) {
+    const Status drawn = write_file_atomically(options.plot, rig::svg_plot(tables));
+    if (!drawn) return refuse(drawn.faults(), options);
+  }
   if (options.json) {
     Json out = {{"mount", options.mount_errors ? "by_chance" : "exact"}, {"tables", Json::array()}};
     for (const rig::LabTable& table : tables) {
@@ -94,10 +102,11 @@ void report(const std::vector<rig::LabSample>& samples, const LabOptions& option
       out["tables"].push_back({{"by", table.title}, {"rows", rows}});
     }
     fmt::print("{}\n", out.dump(2));
-    return;
+    return 0;
   }
   for (const rig::LabTable& table : tables) print_table(table);
   fmt::print("\n{}\n", format(messages::lab_legend, {}, options.language()));
+  return 0;
 }
 
 template <class T, class From>
@@ -150,8 +159,7 @@ int distances(const LabOptions& options) {
   if (keeper) {
     if (const Status kept = keeper->finish(); !kept) return refuse(kept.faults(), options);
   }
-  report(samples, options);
-  return 0;
+  return report(samples, options);
 }
 
 int pictures(const LabOptions& options) {
@@ -162,8 +170,7 @@ int pictures(const LabOptions& options) {
   const std::string robot = options.robot.empty() ? "mirada-sim" : options.robot;
   const auto samples = rig::look_at_pictures(*known, robot, options.folder, options.sonar());
   if (!samples) return refuse(samples.faults(), options);
-  report(*samples, options);
-  return 0;
+  return report(*samples, options);
 }
 
 void add_common(CLI::App& app, LabOptions& options) {
@@ -173,6 +180,8 @@ void add_common(CLI::App& app, LabOptions& options) {
       ->capture_default_str();
   app.add_flag("--lines-are-obstacles", options.lines_are_obstacles, "A painted line ends the free floor");
   app.add_flag("--json", options.json, "The tables as JSON (shares from 0 to 1)");
+  app.add_option("--plot", options.plot,
+                 "Draw the errors by distance, bearing, floor and light to this .svg file");
   app.add_option("--lang", options.lang, "en or es")
       ->check(CLI::IsMember({"en", "es"}))
       ->capture_default_str();

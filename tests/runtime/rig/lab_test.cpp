@@ -11,6 +11,7 @@
 #include "rig/lab/lab_distances.h"
 #include "rig/lab/lab_keep.h"
 #include "rig/lab/lab_pictures.h"
+#include "rig/lab/lab_plot.h"
 #include "rig/lab/lab_score.h"
 #include "rig/lab/lab_truth.h"
 #include "rig/lab/paper_geometry.h"
@@ -96,6 +97,29 @@ TEST(LabScore, CountsWhatItsColumnsSay) {
   EXPECT_NEAR(all.not_seen, 1.0 / 8, 1e-9);
   EXPECT_NEAR(all.within_95, 1.0 / 3, 1e-9);
   EXPECT_NEAR(all.paper_bias, 0.1, 1e-9);
+}
+
+TEST(LabPlot, DrawsEachGroupThatHasErrors) {
+  std::vector<LabSample> samples(3);
+  samples[0].floor = "oak <old>";
+  samples[1].floor = samples[2].floor = "rug";
+  for (LabSample& sample : samples) {
+    sample.light = "noon";
+    sample.truth_m = sample.free_m = 1.0;
+    sample.reading = {0, Answer::blocked, 1.02, 0.01};
+    sample.paper_m = 1.12;
+  }
+  samples[2].reading.answer = Answer::not_seen;
+  const std::string plot = svg_plot(score_tables(samples));
+  EXPECT_EQ(plot.substr(0, 5), "<svg ");
+  EXPECT_NE(plot.find("</svg>"), std::string::npos);
+  EXPECT_NE(plot.find("error, %, by light"), std::string::npos);
+  EXPECT_NE(plot.find("oak &lt;old>"), std::string::npos);
+  EXPECT_EQ(plot.find("oak <"), std::string::npos);
+  EXPECT_EQ(plot.find("nan"), std::string::npos);
+  EXPECT_EQ(plot, svg_plot(score_tables(samples)));
+  for (LabSample& sample : samples) sample.reading.answer = Answer::not_seen;
+  EXPECT_EQ(svg_plot(score_tables(samples)).find("rug"), std::string::npos);
 }
 
 TEST(LabRoom, IsTheSameForTheSameSeedAndLeavesRoomToStand) {
