@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,6 +55,12 @@ struct LatencyConfig {
   Micros faces_us = 80'000;
 };
 
+/// A tag that lies on the floor before the robot when it is switched on, by which it checks its camera.
+struct CheckConfig {
+  double tag_m = 0.08;  ///< side of its black square
+  int tag_id = -1;      ///< any
+};
+
 struct RobotConfig {
   std::string id;
   std::string name_en;
@@ -65,6 +72,7 @@ struct RobotConfig {
   NeckConfig neck;
   MountConfig mount;
   LatencyConfig latency;
+  std::optional<CheckConfig> check;
 
   /// The robot's widest extent across its direction of travel.
   double width_m() const;

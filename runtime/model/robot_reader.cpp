@@ -45,6 +45,14 @@ void read_latency(JsonReader& json, LatencyConfig& latency) {
   latency.faces_us = field("faces_ms", latency.faces_us);
 }
 
+CheckConfig read_check(JsonReader& json) {
+  json.only({"tag_mm", "tag_id"});
+  CheckConfig check;
+  check.tag_m = json.number("tag_mm", 5, 1000) * 1e-3;
+  check.tag_id = static_cast<int>(json.number_or("tag_id", 0, 586, -1));
+  return check;
+}
+
 /// Faults inside the file carry the file's name too, so that a list from several files can be read.
 void name_file(Faults& faults, const std::string& file_name) {
   for (Fault& fault : faults) {
@@ -63,13 +71,14 @@ Result<RobotConfig> read_robot(std::string_view json_text, const std::string& fi
   JsonReader json(*parsed, "", faults);
   if (parsed->is_object()) {
     json.only({"$schema", "format", "version", "id", "name", "footprint_m", "drive", "camera", "neck",
-               "mount", "latency"});
+               "mount", "latency", "check"});
     read_head(json, file_name, robot);
     JsonReader camera = json.object("camera");
     read_camera(camera, fs::path(file_name).parent_path(), robot, file_faults);
     read_body(json, robot);
     read_chain(json, robot);
     if (auto latency = json.object_if_present("latency")) read_latency(*latency, robot.latency);
+    if (auto check = json.object_if_present("check")) robot.check = read_check(*check);
   }
   name_file(faults, file_name);
   faults.insert(faults.end(), file_faults.begin(), file_faults.end());

@@ -36,8 +36,11 @@ Result<std::unique_ptr<LiveRobot>> LiveRobot::build(const LiveParts& parts) {
 LiveRobot::LiveRobot(const LiveParts& parts, std::unique_ptr<hal::Camera> camera,
                      std::unique_ptr<ManualClock> clock)
     : setup_(parts.setup),
+      words_(parts.notes),
+      mount_watch_(parts.robot, !parts.camera.empty()),
+      tell_(parts.tell),
       clock_(std::move(clock)),
-      simulation_(parts.world, parts.robot, parts.setup.seed),
+      simulation_(parts.world, parts.body, parts.setup.seed),
       camera_(std::move(camera)),
       robot_(parts.robot,
              {camera_ ? camera_.get() : &simulation_.camera(), &simulation_.drive(), &simulation_.neck()},
@@ -48,6 +51,7 @@ LiveRobot::LiveRobot(const LiveParts& parts, std::unique_ptr<hal::Camera> camera
   link_->robot = &robot_;
   link_->host = &session_.host();
   robot_.observe();
+  update_wanted();
   wall_behind_ = wall_.now() - simulation_.now();
 }
 
@@ -68,11 +72,7 @@ void LiveRobot::step(PictureEncoder& encoder) {
     session_.tick();
   }
   wake_scripts();
-  const Frame& frame = robot_.perception().frame();
-  if (wanted_.camera && frame.number != shown_frame_) {
-    shown_frame_ = frame.number;
-    encoder.offer(frame);
-  }
+  show_picture(encoder);
   if (board_.due(clock_->now(), session_.run(), session_.state())) publish();
 }
 
@@ -83,6 +83,37 @@ void LiveRobot::wake_scripts() {
   if (session_.next_timer() > now) return;
   clock_->set(now);
   session_.tick();
+}
+
+void LiveRobot::show_picture(PictureEncoder& encoder) {
+  const Frame& frame = robot_.perception().frame();
+  if (frame.number == shown_frame_) return;
+  shown_frame_ = frame.number;
+  if (wanted_.camera) encoder.offer(frame);
+  check_mount(frame);
+  if (tap_) tap_(frame, robot_.gaze().state(robot_.now()).angles);
+}
+
+void LiveRobot::check_mount(const Frame& frame) {
+  if (!mount_watch_.wants_pictures()) return;
+  const hal::NeckState neck = robot_.gaze().state(robot_.now());
+  if (session_.state() != session::RunState::idle) {
+    mount_watch_.end();  // the robot is in use: what it sees now is no start
+  } else if (neck.settled) {
+    mount_watch_.look(frame, neck.angles);
+  }
+  if (mount_watch_.wants_pictures()) return;
+  update_wanted();
+  for (const Fault& word : mount_watch_.words()) {
+    if (tell_) tell_(word);
+  }
+  const std::lock_guard lock(words_mutex_);
+  words_.insert(words_.end(), mount_watch_.words().begin(), mount_watch_.words().end());
+}
+
+Faults LiveRobot::camera_words() const {
+  const std::lock_guard lock(words_mutex_);
+  return words_;
 }
 
 Micros LiveRobot::idle_for() const {
@@ -105,7 +136,18 @@ void LiveRobot::put_back() {
 
 void LiveRobot::want(const session::Wanted& wanted) {
   wanted_ = wanted;
-  session_.want(wanted);
+  update_wanted();
+}
+
+void LiveRobot::tap(FrameTap tap) {
+  tap_ = std::move(tap);
+  update_wanted();
+}
+
+void LiveRobot::update_wanted() {
+  session::Wanted all = wanted_;
+  all.camera = all.camera || tap_ || mount_watch_.wants_pictures();
+  session_.want(all);
 }
 
 }  // namespace mirada::rig

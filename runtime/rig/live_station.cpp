@@ -4,6 +4,7 @@
 #include <future>
 #include <utility>
 
+#include "rig/calibration/kept_camera.h"
 #include "rig/messages.h"
 #include "rig/setup_reader.h"
 #include "vm/machine.h"
@@ -16,8 +17,9 @@ constexpr Micros kLongestSleep = 50 * kMillisecond;
 
 }  // namespace
 
-LiveStation::LiveStation(std::unique_ptr<LiveRobot> robot, std::string camera)
+LiveStation::LiveStation(std::unique_ptr<LiveRobot> robot, std::string camera, Tell tell)
     : camera_(std::move(camera)),
+      tell_(std::move(tell)),
       robot_(std::move(robot)),
       control_([this] { control_loop(); }),
       watchdog_([this] { watchdog_loop(); }) {}
@@ -61,6 +63,7 @@ void LiveStation::post_and_wait(const Command& command) {
 }
 
 Result<session::Started> LiveStation::start(const std::string& program_json) {
+  end_calibration();
   const auto robot = this->robot();
   robot->session().expect_stop(session::StopReason::replaced);
   const robot::Safety::Permit permit = robot->safety().stop_and_permit();
@@ -118,11 +121,17 @@ std::vector<session::Option> LiveStation::worlds() const { return world_options(
 std::vector<session::Option> LiveStation::robots() const { return robot_options(); }
 
 Status LiveStation::choose(const session::Setup& setup) {
+  end_calibration();
+  return rebuild(setup);
+}
+
+Status LiveStation::rebuild(const session::Setup& setup) {
   const std::lock_guard one_at_a_time(choose_mutex_);
   auto parts = read_setup(setup, camera_);
   if (!parts) return parts.faults();
   stop(session::StopReason::put_back);
   parts->runs_before = telemetry()->run;
+  parts->tell = tell_;
   auto built = LiveRobot::build(*parts);
   if (!built) return built.faults();
   std::shared_ptr<LiveRobot> next = std::move(*built);
@@ -132,6 +141,7 @@ Status LiveStation::choose(const session::Setup& setup) {
     const std::lock_guard lock(robot_mutex_);
     robot_.swap(next);
   });
+  update_tap();
   return Ok{};
 }
 

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 
+#include "rig/calibration/calibration_desk.h"
 #include "rig/live_robot.h"
 #include "session/station.h"
 
@@ -16,8 +17,8 @@ namespace mirada::rig {
 /// watchdog, and the picture encoder. Stop is a path of its own: it goes straight to Safety.
 class LiveStation final : public session::Station {
  public:
-  /// `base` says what does not change with choose(): camera.
-  explicit LiveStation(std::unique_ptr<LiveRobot> robot, std::string camera);
+  /// `camera` and `tell` do not change with choose().
+  LiveStation(std::unique_ptr<LiveRobot> robot, std::string camera, Tell tell);
   ~LiveStation() override;
 
   Result<session::Started> start(const std::string& program_json) override;
@@ -37,6 +38,11 @@ class LiveStation final : public session::Station {
   std::shared_ptr<const session::Telemetry> telemetry() const override;
   std::shared_ptr<const session::Picture> picture() const override;
 
+  std::vector<session::Option> cameras() const override;
+  Status calibrate(const session::CalibrationStep& step) override;
+  std::shared_ptr<const session::Calibration> calibration() const override;
+  std::optional<Fault> camera_words() const override;
+
  private:
   using Command = std::function<void(LiveRobot&)>;
 
@@ -47,8 +53,15 @@ class LiveStation final : public session::Station {
   void control_loop();
   void watchdog_loop();
   std::deque<Command> take_commands();
+  /// Pictures go to whoever looks at them beside the programs, or to nobody.
+  void update_tap();
+  Status begin_calibration(const session::CalibrationPlan& plan);
+  Status save_calibration();
+  void end_calibration();
+  Status rebuild(const session::Setup& setup);
 
   const std::string camera_;
+  const Tell tell_;
   PictureEncoder encoder_;
   mutable std::mutex robot_mutex_;  // the pointer
   std::shared_ptr<LiveRobot> robot_;
@@ -61,6 +74,7 @@ class LiveStation final : public session::Station {
   std::mutex watchdog_mutex_;
   std::condition_variable watchdog_wake_;
   bool watchdog_closing_ = false;
+  CalibrationDesk desk_;
   std::thread control_;
   std::thread watchdog_;
 };

@@ -12,4 +12,26 @@ inline constexpr Message nothing_ships{
 inline constexpr Message robot_closed{"robot_closed", "The robot is being switched off.",
                                       "El robot se está apagando."};
 
+inline constexpr Message kept_camera_other_size{
+    "kept_camera_other_size",
+    "The kept calibration is of {theirs} pictures, the robot's are {ours}: I don't use it. Calibrate again.",
+    "La calibración guardada es de imágenes de {theirs} y las del robot son de {ours}: no la uso. Calibra "
+    "otra "
+    "vez."};
+inline constexpr Message kept_camera_other_name{
+    "kept_camera_other_name",
+    "The kept calibration is of a {theirs}, the robot has a {ours}: I don't use it. Calibrate again.",
+    "La calibración guardada es de una {theirs} y el robot tiene una {ours}: no la uso. Calibra otra vez."};
+
+inline constexpr Message mount_check_fine{
+    "mount_check_fine", "The camera stands as the robot's file says: it looks {tilt} degrees down.",
+    "La cámara está como dice el archivo del robot: mira {tilt} grados hacia abajo."};
+inline constexpr Message mount_check_no_tag{"mount_check_no_tag",
+                                            "I could not check how the camera stands: no AprilTag lies on "
+                                            "the floor before it. Distances are as right as "
+                                            "the robot's file.",
+                                            "No he podido comprobar cómo está la cámara: no hay ninguna "
+                                            "AprilTag en el suelo delante. Las distancias son "
+                                            "tan buenas como el archivo del robot."};
+
 }  // namespace mirada::messages

@@ -1,6 +1,8 @@
 #include "rig/setup_reader.h"
 
 #include "base/files.h"
+#include "model/camera_preset.h"
+#include "rig/calibration/kept_camera.h"
 #include "rig/messages.h"
 
 namespace mirada::rig {
@@ -46,8 +48,11 @@ Result<LiveParts> read_setup(const session::Setup& setup, const std::string& cam
   if (setup.robot.empty()) parts.setup.robot = robot->id;
   parts.setup.simulated = camera.empty();
   parts.world = std::move(*world);
+  parts.body = *robot;
   parts.robot = std::move(*robot);
   parts.camera = camera;
+  const Status kept = use_kept_camera(kept_camera_file(parts.setup.robot, camera.empty()), parts.robot);
+  if (!kept) parts.notes = kept.faults();
   return parts;
 }
 
@@ -55,6 +60,14 @@ std::vector<session::Option> world_options() {
   std::vector<session::Option> options;
   for (const std::string& id : world::shipped_worlds()) {
     if (const auto world = world::world_by_name(id)) options.push_back({id, world->name_en, world->name_es});
+  }
+  return options;
+}
+
+std::vector<session::Option> camera_options() {
+  std::vector<session::Option> options;
+  for (const std::string& id : shipped_cameras()) {
+    if (const auto camera = camera_preset(id)) options.push_back({id, camera->name_en, camera->name_es});
   }
   return options;
 }

@@ -8,11 +8,13 @@
 namespace mirada::rig {
 
 /// Reads the files that a setup names (ids or paths; "" = the first that ships): every fault of room and
-/// robot at once. The setup of the result holds the real ids.
+/// robot at once. The setup of the result holds the real ids. A calibration that was kept for this robot is
+/// used; one that does not fit is not, and `notes` says why.
 Result<LiveParts> read_setup(const session::Setup& setup, const std::string& camera);
 
 /// What ships, with its names.
 std::vector<session::Option> world_options();
 std::vector<session::Option> robot_options();
+std::vector<session::Option> camera_options();
 
 }  // namespace mirada::rig

@@ -15,12 +15,16 @@ Result<std::unique_ptr<session::Station>> make_station(const StationOptions& opt
   setup.seed = options.seed;
   auto parts = read_setup(setup, options.camera);
   if (!parts) return parts.faults();
+  const Tell tell = [lang = options.lang](const Fault& word) { std::cerr << word.text(lang) << std::endl; };
+  for (const Fault& note : parts->notes) tell(note);
+  parts->tell = tell;
   auto robot = LiveRobot::build(*parts);
   if (!robot) return robot.faults();
   if (!options.camera.empty()) {
     std::cerr << format(messages::camera_from_outside, {{"camera", options.camera}}, options.lang) << "\n";
   }
-  return std::unique_ptr<session::Station>(std::make_unique<LiveStation>(std::move(*robot), options.camera));
+  return std::unique_ptr<session::Station>(
+      std::make_unique<LiveStation>(std::move(*robot), options.camera, tell));
 }
 
 }  // namespace mirada::rig

@@ -22,8 +22,8 @@ std::string packs_json(const packs::PackSet& packs) {
 
 std::string setup_page_json(const session::Station& station, Lang lang) {
   return R"({"setup":)" + setup_json(station.setup()) + R"(,"worlds":)" + options_json(station.worlds()) +
-         R"(,"robots":)" + options_json(station.robots()) + R"(,"lang":")" +
-         (lang == Lang::es ? "es" : "en") + "\"}";
+         R"(,"robots":)" + options_json(station.robots()) + R"(,"cameras":)" +
+         options_json(station.cameras()) + R"(,"lang":")" + (lang == Lang::es ? "es" : "en") + "\"}";
 }
 
 std::string examples_json(const std::vector<Example>& examples) {

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::pair<std::string_view, ClientVerb>, 10> kVerbs{{
+constexpr std::array<std::pair<std::string_view, ClientVerb>, 11> kVerbs{{
     {"hello", ClientVerb::hello},
     {"run", ClientVerb::run},
     {"stop", ClientVerb::stop},
@@ -27,6 +27,7 @@ constexpr std::array<std::pair<std::string_view, ClientVerb>, 10> kVerbs{{
     {"put_back", ClientVerb::put_back},
     {"watch", ClientVerb::watch},
     {"release", ClientVerb::release},
+    {"calibrate", ClientVerb::calibrate},
 }};
 constexpr std::size_t kMaxFieldBytes = 4096;
 constexpr double kMaxWhole = 9007199254740991.0;  // 2^53 - 1: what JSON numbers hold exactly everywhere
@@ -87,6 +88,29 @@ void read_choose(JsonReader& in, ClientMessage& out) {
   if (in.has("seed")) out.seed = static_cast<std::uint64_t>(in.number("seed", 0, kMaxWhole));
 }
 
+constexpr std::array<std::pair<std::string_view, session::CalibrationStep::Action>, 5> kSteps{{
+    {"begin", session::CalibrationStep::Action::begin},
+    {"take", session::CalibrationStep::Action::take},
+    {"finish", session::CalibrationStep::Action::finish},
+    {"save", session::CalibrationStep::Action::save},
+    {"cancel", session::CalibrationStep::Action::cancel},
+}};
+
+void read_calibrate(JsonReader& in, session::CalibrationStep& out) {
+  const std::string action = in.choice("action", {"begin", "take", "finish", "save", "cancel"});
+  for (const auto& [name, step] : kSteps) {
+    if (name == action) out.action = step;
+  }
+  if (out.action != session::CalibrationStep::Action::begin || action.empty()) return;
+  session::CalibrationPlan& plan = out.plan;
+  plan.charuco = in.has("board") && in.choice("board", {"chessboard", "charuco"}) == "charuco";
+  plan.size = in.text_or("size", plan.size);
+  plan.square_mm = in.number_or("square_mm", 0, 1e6, plan.square_mm);
+  plan.marker_mm = in.number_or("marker_mm", 0, 1e6, plan.marker_mm);
+  plan.dictionary = in.text_or("dictionary", plan.dictionary);
+  plan.camera = in.text_or("camera", plan.camera);
+}
+
 void read_fields(const ScannedObject& scanned, JsonReader& in, ReadMessage& out) {
   ClientMessage& message = out.message;
   switch (message.verb) {
@@ -112,6 +136,8 @@ void read_fields(const ScannedObject& scanned, JsonReader& in, ReadMessage& out)
                         in.truth_or("faces", false), in.truth_or("room", false),
                         in.truth_or("memory", false)};
       return;
+    case ClientVerb::calibrate:
+      return read_calibrate(in, message.calibration);
     case ClientVerb::stop:
     case ClientVerb::put_back:
     case ClientVerb::release:

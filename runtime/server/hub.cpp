@@ -11,6 +11,7 @@ namespace mirada::server {
 namespace {
 
 constexpr Micros kTelemetryPeriod = 45 * kMillisecond;  // with ticks of 10 ms: 20 a second
+constexpr Micros kCalibrationPeriod = 90 * kMillisecond;
 constexpr std::size_t kWrongCodesAMinute = 60;
 
 unsigned panel_mask(const session::Wanted& panels) {
@@ -26,7 +27,10 @@ bool same(const session::Wanted& a, const session::Wanted& b) {
 }  // namespace
 
 Hub::Hub(HubWiring wiring)
-    : wiring_(std::move(wiring)), wrong_codes_(kWrongCodesAMinute, 60 * kSecond), telemetry_sent_(-kSecond) {}
+    : wiring_(std::move(wiring)),
+      wrong_codes_(kWrongCodesAMinute, 60 * kSecond),
+      telemetry_sent_(-kSecond),
+      calibration_sent_(-kSecond) {}
 
 Hub::~Hub() = default;
 
@@ -70,10 +74,13 @@ void Hub::tick() {
   if (viewers_.empty()) return;
   publish_telemetry();
   publish_picture();
+  publish_calibration();
+  publish_camera_words();
 }
 
 void Hub::lose_owner() {
   stops_.fetch_add(1);
+  end_calibration();
   wiring_.station.stop(session::StopReason::owner_lost);
   broadcast(notice_text(messages::owner_gone));
   tell_owner();
@@ -108,6 +115,35 @@ void Hub::publish_picture() {
   for (const auto& [id, viewer] : viewers_) {
     if (viewer->greeted() && viewer->wanted.camera) viewer->link->offer_picture(bytes);
   }
+}
+
+void Hub::publish_calibration() {
+  const std::shared_ptr<const session::Calibration> newest = wiring_.station.calibration();
+  if (!newest || newest == calibration_) return;
+  const Micros now = wiring_.clock.now();
+  const bool turned = !calibration_ || calibration_->phase != newest->phase;
+  if (!turned && now - calibration_sent_ < kCalibrationPeriod) return;
+  const bool quiet = !calibration_ && newest->phase == session::Calibration::Phase::off;
+  calibration_ = newest;
+  calibration_sent_ = now;
+  if (quiet) return;
+  const std::string text = calibration_text(*newest);
+  for (const auto& [id, viewer] : viewers_) {
+    if (viewer->greeted() && drives(*viewer)) viewer->link->send_control(text);
+  }
+}
+
+void Hub::publish_camera_words() {
+  const auto words = wiring_.station.camera_words();
+  const std::string text = words ? camera_words_text(*words) : "";
+  if (text == camera_words_) return;
+  camera_words_ = text;
+  if (!text.empty()) broadcast(text);
+}
+
+void Hub::end_calibration() {
+  const auto now = wiring_.station.calibration();
+  if (now && now->phase != session::Calibration::Phase::off) (void)wiring_.station.calibrate({});
 }
 
 void Hub::give_current(Viewer& viewer) {

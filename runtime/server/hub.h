@@ -84,6 +84,7 @@ class Hub {
   void key(Viewer& viewer, const ClientMessage& message);
   void watch(Viewer& viewer, const session::Wanted& wanted);
   void release(Viewer& viewer);
+  void calibrate(Viewer& viewer, const session::CalibrationStep& step);
 
   bool within_rate(Viewer& viewer, const ReadMessage& read);
   bool may_drive(Viewer& viewer, std::string_view verb);
@@ -101,6 +102,10 @@ class Hub {
   void update_wanted();
   void publish_telemetry();
   void publish_picture();
+  /// To whoever drives, when there is something new.
+  void publish_calibration();
+  void publish_camera_words();
+  void end_calibration();
   void give_current(Viewer& viewer);
   Viewer* find(ViewerId id);
 
@@ -118,6 +123,9 @@ class Hub {
   std::optional<TelemetryText> telemetry_text_;
   Micros telemetry_sent_;
   std::shared_ptr<const session::Picture> picture_;
+  std::shared_ptr<const session::Calibration> calibration_;
+  Micros calibration_sent_;
+  std::string camera_words_;  ///< as sent last
 };
 
 }  // namespace mirada::server

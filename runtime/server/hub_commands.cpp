@@ -73,6 +73,8 @@ void Hub::handle(Viewer& viewer, const ReadMessage& read) {
       return watch(viewer, message.wanted);
     case ClientVerb::release:
       return release(viewer);
+    case ClientVerb::calibrate:
+      return calibrate(viewer, message.calibration);
     case ClientVerb::stop:
       return;
   }
@@ -86,6 +88,10 @@ void Hub::hello(Viewer& viewer, const ClientMessage& message) {
   viewer.link->send_control(
       welcome_text(seat(viewer), seats(), wiring_.station, telemetry ? telemetry->t : 0));
   give_current(viewer);
+  if (!camera_words_.empty()) viewer.link->send_control(camera_words_);
+  const auto calibration = wiring_.station.calibration();
+  const bool shown = calibration && calibration->phase != session::Calibration::Phase::off;
+  if (shown && drives(viewer)) viewer.link->send_control(calibration_text(*calibration));
   tell_owner();
 }
 
@@ -202,6 +208,25 @@ void Hub::put_back(Viewer& viewer) {
   });
 }
 
+void Hub::calibrate(Viewer& viewer, const session::CalibrationStep& step) {
+  if (step.action == session::CalibrationStep::Action::begin) {
+    if (!may_drive(viewer, "calibrate") || !begin_job(viewer, "calibrate")) return;
+    const bool new_owner = lease_.free();
+    lease_.take(viewer.client, wiring_.clock.now());
+    if (new_owner) tell_owner();
+  } else {
+    if (!drives(viewer)) return refuse(viewer, "calibrate", messages::not_driving);
+    if (!begin_job(viewer, "calibrate")) return;
+  }
+  wiring_.background([this, id = viewer.id, step] {
+    const Status done = wiring_.station.calibrate(step);
+    wiring_.on_hub([this, id, done] {
+      end_job(id);
+      if (!done.ok()) send(id, refused_text("calibrate", done.faults()));
+    });
+  });
+}
+
 void Hub::key(Viewer& viewer, const ClientMessage& message) {
   constexpr std::size_t kMaxKeyBytes = 32;
   constexpr std::size_t kMaxKeysDown = 64;
@@ -221,6 +246,7 @@ void Hub::watch(Viewer& viewer, const session::Wanted& wanted) {
 void Hub::release(Viewer& viewer) {
   if (!drives(viewer)) return;
   release_keys(viewer);
+  end_calibration();
   stop();
   lease_.release();
   tell_owner();

@@ -94,6 +94,37 @@ std::string value_text(std::uint64_t request, const Result<vm::MonitorValue>& an
   return dump(out);
 }
 
+std::string calibration_text(const session::Calibration& state) {
+  const auto words = [](const std::optional<Fault>& fault) {
+    return fault ? both_languages(*fault->message, fault->args) : json(nullptr);
+  };
+  return dump({{"type", "calibration"},
+               {"phase", session::to_string(state.phase)},
+               {"room_holds", state.room_holds},
+               {"frame", state.frame},
+               {"width", state.width_px},
+               {"height", state.height_px},
+               {"corners", state.corners},
+               {"taken", state.taken},
+               {"target", state.target},
+               {"next", words(state.next)},
+               {"now", words(state.now)},
+               {"views", state.views},
+               {"views_needed", state.views_needed},
+               {"views_good", state.views_good},
+               {"coverage", state.coverage},
+               {"tilt_deg", state.tilt_deg},
+               {"rms_px", state.rms_px},
+               {"hfov_deg", state.hfov_deg},
+               {"vfov_deg", state.vfov_deg},
+               {"view_rms_px", state.view_rms_px},
+               {"words", faults_to_json(state.words)}});
+}
+
+std::string camera_words_text(const Fault& words) {
+  return notice_text(*words.message, words.severity, words.args);
+}
+
 std::string check_json(const Faults& faults) {
   return dump({{"ok", !has_errors(faults)}, {"faults", faults_to_json(faults)}});
 }

@@ -2,10 +2,12 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
+#include "session/calibration.h"
 #include "session/telemetry.h"
 
 namespace mirada::session {
@@ -71,6 +73,16 @@ class Station {
   virtual std::shared_ptr<const Telemetry> telemetry() const = 0;
   /// Null until the first picture, and when nobody wanted one.
   virtual std::shared_ptr<const Picture> picture() const = 0;
+
+  /// The cameras whose datasheets are known.
+  virtual std::vector<Option> cameras() const = 0;
+  /// A step of the calibration wizard. begin stops what runs; start(), choose() and cancel end it. save
+  /// writes the file, keeps the one before, and builds the robot anew with it. Ok, or why not.
+  virtual Status calibrate(const CalibrationStep& step) = 0;
+  /// Never null.
+  virtual std::shared_ptr<const Calibration> calibration() const = 0;
+  /// What the start-up check found out about the camera's place; nothing while there is nothing to say.
+  virtual std::optional<Fault> camera_words() const = 0;
 };
 
 }  // namespace mirada::session

@@ -7,16 +7,16 @@
 namespace mirada::vision {
 namespace {
 
-constexpr int kSameLight = 12;
-constexpr int kSameColour = 9;
+constexpr int kAlikeLight = 12;
+constexpr int kAlikeColour = 9;
 constexpr int kDarkest = 34;  // Look units: about 8 of 255
 constexpr int kGlare = 253;   // of 255, in every channel
 constexpr double kStripDepth_m = 0.15;
 constexpr int kWeightOfASample = 12;
 
 bool same(const Look& a, const Look& b) {
-  return std::abs(a.light - b.light) <= kSameLight && std::abs(a.red - b.red) <= kSameColour &&
-         std::abs(a.blue - b.blue) <= kSameColour;
+  return std::abs(a.light - b.light) <= kAlikeLight && std::abs(a.red - b.red) <= kAlikeColour &&
+         std::abs(a.blue - b.blue) <= kAlikeColour;
 }
 
 }  // namespace

@@ -88,7 +88,8 @@ struct Simulation::Impl {
   void expose() {
     if (!camera.enabled()) return;
     const Eigen::Isometry3d X_WC = upright(truth.X_WR) * robot.X_RC(truth.neck);
-    camera.expose(renderer.render(X_WC, walkers.poses(), clock.now()), clock.now());
+    const HeldBoard* shown = held ? &*held : nullptr;
+    camera.expose(renderer.render(X_WC, walkers.poses(), clock.now(), shown), clock.now());
   }
 
   RobotConfig robot;
@@ -104,6 +105,7 @@ struct Simulation::Impl {
   SimDrive drive;
   SimNeck neck;
   Truth truth;
+  std::optional<HeldBoard> held;
   Micros frame_period;
   Micros next_exposure = 0;
 };
@@ -141,6 +143,8 @@ void Simulation::put_back() {
   s.truth.X_WR = s.world.X_WR_start;
   s.publish();
 }
+
+void Simulation::hold_board(std::optional<HeldBoard> board) { impl_->held = std::move(board); }
 
 hal::Camera& Simulation::camera() { return impl_->camera; }
 hal::Drive& Simulation::drive() { return impl_->drive; }

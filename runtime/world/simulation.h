@@ -1,12 +1,14 @@
 #pragma once
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "hal/camera.h"
 #include "hal/drive.h"
 #include "hal/neck.h"
 #include "model/robot_config.h"
+#include "world/held_board.h"
 #include "world/world_config.h"
 
 namespace mirada::world {
@@ -35,6 +37,8 @@ class Simulation {
   Micros now() const;
   /// The start pose again, contacts and path at zero; a new picture of chance is drawn only for another seed.
   void put_back();
+  /// From now on pictures show this print before the camera, or none.
+  void hold_board(std::optional<HeldBoard> board);
 
   hal::Camera& camera();
   hal::Drive& drive();

@@ -1,14 +1,16 @@
-import { useComputed, useSignal } from '@preact/signals';
+import { useComputed, useSignal, useSignalEffect } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import { Bar } from './bar/bar';
-import { DialogHost } from './dialogs/dialog';
+import { openCalibrate } from './dialogs/calibrate_dialog';
+import { DialogHost, openDialog } from './dialogs/dialog';
 import { t } from './messages';
 import { Above } from './stage/above';
 import { Picture } from './stage/picture';
 import { Readings } from './stage/readings';
+import { calibration, leaving } from './state/calibration';
 import { editor } from './state/editor';
 import { folded } from './state/panels';
-import { link, notes } from './state/robot';
+import { link, notes, youDrive } from './state/robot';
 
 function Search() {
   const query = useSignal('');
@@ -61,6 +63,11 @@ export function App({ mount }: { mount: (element: HTMLElement) => void }) {
     observer.observe(canvas.current!);
     return () => observer.disconnect();
   }, []);
+  // A page that was reloaded in the middle of a calibration goes on with it.
+  useSignalEffect(() => {
+    const begun = calibration.value?.phase === 'looking' || calibration.value?.phase === 'ready';
+    if (begun && youDrive.value && !leaving.value && !openDialog.peek()) openCalibrate();
+  });
   return (
     <div class={folded.value ? 'page folded' : 'page'}>
       <Bar />

@@ -4,6 +4,7 @@ import './styles/tokens.css';
 import './styles/controls.css';
 import './styles/page.css';
 import './styles/stage.css';
+import './styles/calibrate.css';
 import './styles/blocks.css';
 import { App } from './app';
 import { lang } from './messages';

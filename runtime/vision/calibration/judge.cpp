@@ -16,6 +16,10 @@ constexpr double kMostFocalSigma = 0.01;
 constexpr double kMostOffCentre = 0.15;
 constexpr double kLeastPixelRatio = 0.9;
 constexpr double kMostPixelRatio = 1.1;
+constexpr double kSigmasToSay = 5;
+constexpr double kMostStretch = 0.01;
+constexpr double kBendToSay = 0.005;  ///< of the board's diagonal
+constexpr double kMostBend = 0.02;
 constexpr double kTellingTolerance = 0.1;  ///< a sheet vaguer than this fits nearly every camera
 
 void check_views(const Calibration& c, Faults& faults) {
@@ -58,7 +62,7 @@ void check_coverage(const Calibration& c, Faults& faults) {
 }
 
 void check_errors(const Calibration& c, Faults& faults) {
-  const double most_px = kHighestRms_px * std::max(1.0, c.camera.width_px / 800.0);
+  const double most_px = highest_rms_px(c.camera);
   if (c.rms_px > most_px) {
     faults.push_back(make_fault("set", messages::set_rms_high,
                                 {{"value", number_text(c.rms_px, 2)}, {"max", number_text(most_px, 2)}}));
@@ -92,6 +96,22 @@ void check_lens(const Calibration& c, Faults& faults) {
   }
 }
 
+/// What the corners say of the print: a screen or a printer that stretches, paper that bends.
+void check_board(const Calibration& c, Faults& faults) {
+  const double off = std::abs(c.board.stretch - 1);
+  if (off > kMostStretch && off > kSigmasToSay * c.board.sigma_stretch) {
+    faults.push_back(make_fault("set", messages::set_board_stretched,
+                                {{"value", number_text(100 * (c.board.stretch - 1), 1)},
+                                 {"max", number_text(100 * kMostStretch, 0)}}));
+  }
+  const double bend = c.board.bend_m / std::max(1e-6, c.board_diagonal_m);
+  if (bend > kBendToSay && c.board.bend_m > kSigmasToSay * c.board.sigma_bend_m) {
+    faults.push_back(make_fault("set", messages::set_board_bent,
+                                {{"value", number_text(1000 * c.board.bend_m, 1)}},
+                                bend > kMostBend ? Severity::error : Severity::warning));
+  }
+}
+
 /// What the sheet's angle is compared with: the pinhole's for ordinary lenses (sheets compute theirs so),
 /// what is really seen for wide ones.
 double comparable_view_rad(const Calibration& c) {
@@ -104,6 +124,10 @@ std::string size_text(const CameraModel& camera) {
 
 }  // namespace
 
+double highest_rms_px(const CameraModel& camera) {
+  return kHighestRms_px * std::max(1.0, camera.width_px / 800.0);
+}
+
 Faults distrust(const Calibration& calibration) {
   Faults faults;
   check_views(calibration, faults);
@@ -112,6 +136,7 @@ Faults distrust(const Calibration& calibration) {
   if (calibration.views.size() < static_cast<std::size_t>(kFewestViews)) return faults;
   check_errors(calibration, faults);
   check_lens(calibration, faults);
+  check_board(calibration, faults);
   return faults;
 }
 

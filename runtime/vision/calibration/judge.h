@@ -7,6 +7,9 @@ namespace mirada::vision {
 /// The fewest different pictures that a calibration is trusted with.
 inline constexpr int kFewestViews = 6;
 
+/// The largest rms error that is trusted; it grows with pictures wider than 800 pixels.
+double highest_rms_px(const CameraModel& camera);
+
 /// Everything that keeps a calibration from being trusted, each with what to do; empty when it can be.
 Faults distrust(const Calibration& calibration);
 

@@ -127,6 +127,16 @@ inline constexpr Message set_lens_folds{
     "set_lens_folds", "The lens model folds over at the picture's edge. Show the board near the edges too.",
     "El modelo de lente se pliega en el borde de la imagen. Enseña el tablero también junto a los bordes."};
 
+inline constexpr Message set_board_stretched{
+    "set_board_stretched",
+    "The squares are {value} % wider than high ({max} % is allowed): was the board on a screen, or printed "
+    "stretched? Measure both sides of a square.",
+    "Las casillas son un {value} % más anchas que altas (cabe el {max} %): ¿estaba en una pantalla, o se "
+    "imprimió estirado? Mide los dos lados de una casilla."};
+inline constexpr Message set_board_bent{"set_board_bent",
+                                        "The board is bent by about {value} mm. Glue it to something flat.",
+                                        "El tablero está doblado unos {value} mm. Pégalo a algo plano."};
+
 inline constexpr Message view_unlike_datasheet{
     "view_unlike_datasheet", "This camera sees {value} degrees across, but a {camera} sees {wanted}.",
     "Esta cámara abarca {value} grados, pero una {camera} abarca {wanted}."};

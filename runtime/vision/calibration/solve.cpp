@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include <opencv2/calib3d.hpp>
-#include <opencv2/imgproc.hpp>
 
 #include "base/units.h"
+#include "vision/calibration/coverage.h"
 #include "vision/calibration/lens_fit.h"
 #include "vision/calibration/messages.h"
 
@@ -78,25 +78,13 @@ bool leave_out_worst(std::vector<BoardView>& views, const LensFit& fit, Faults& 
   return true;
 }
 
-void measure_coverage(const std::vector<BoardView>& views, Calibration& out) {
-  constexpr int kWide = 96;
-  constexpr int kHigh = 72;
-  cv::Mat mask = cv::Mat::zeros(kHigh, kWide, CV_8UC1);
+double diagonal_m(const std::vector<BoardView>& views) {
+  double out = 0;
   for (const BoardView& view : views) {
-    std::vector<cv::Point2f> hull;
-    cv::convexHull(view.corners_px, hull);
-    std::vector<cv::Point> small;
-    for (const cv::Point2f& p : hull) {
-      small.emplace_back(cvRound((p.x + 0.5F) * kWide / static_cast<float>(view.size_px.width) - 0.5F),
-                         cvRound((p.y + 0.5F) * kHigh / static_cast<float>(view.size_px.height) - 0.5F));
-    }
-    cv::fillConvexPoly(mask, small, 255);
+    if (!view.corners_B_m.empty())
+      out = std::max(out, cv::norm(view.corners_B_m.back() - view.corners_B_m.front()));
   }
-  out.coverage = cv::countNonZero(mask) / static_cast<double>(kWide * kHigh);
-  for (int zone = 0; zone < 9; ++zone) {
-    const cv::Rect part(zone % 3 * kWide / 3, zone / 3 * kHigh / 3, kWide / 3, kHigh / 3);
-    out.zone_coverage.push_back(cv::countNonZero(mask(part)) / static_cast<double>(part.area()));
-  }
+  return out;
 }
 
 void describe_views(const std::vector<BoardView>& views, const LensFit& fit, Calibration& out) {
@@ -145,8 +133,12 @@ Result<Calibration> solve(std::vector<BoardView> views, LensChoice lens) {
   out.seen_hfov_rad = seen_across_rad(out.camera);
   out.seen_vfov_rad =
       edge_to_edge_rad(out.camera, {out.camera.cx_px, -0.5}, {out.camera.cx_px, out.camera.height_px - 0.5});
-  measure_coverage(views, out);
+  Coverage coverage = coverage_of(views);
+  out.coverage = coverage.share;
+  out.zone_coverage = std::move(coverage.zones);
   describe_views(views, fit, out);
+  out.board = examine_board(views, fit);
+  out.board_diagonal_m = diagonal_m(views);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include "base/result.h"
 #include "model/camera_model.h"
 #include "vision/calibration/board.h"
+#include "vision/calibration/board_truth.h"
 
 namespace mirada::vision {
 
@@ -32,6 +33,8 @@ struct Calibration {
   double largest_tilt_between_rad = 0;
   double seen_hfov_rad = 0;  ///< from edge to edge through the distortion
   double seen_vfov_rad = 0;
+  double board_diagonal_m = 0;
+  BoardTruth board;  ///< is the print flat, are its squares square?
   std::vector<SolvedView> views;
   Faults refused;  ///< pictures left out, and why
 };

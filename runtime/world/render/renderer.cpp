@@ -7,6 +7,7 @@
 
 #include "world/render/finish.h"
 #include "world/render/floor_row.h"
+#include "world/render/paint_board.h"
 #include "world/render/per_cpu.h"
 #include "world/render/tiles.h"
 
@@ -264,13 +265,14 @@ Renderer::Renderer(const WorldConfig& placed, const CameraModel& camera, std::ui
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
-cv::Mat Renderer::render(const Eigen::Isometry3d& X_WC, const std::vector<Pose2>& people,
-                         std::int64_t chance) {
+cv::Mat Renderer::render(const Eigen::Isometry3d& X_WC, const std::vector<Pose2>& people, std::int64_t chance,
+                         const HeldBoard* held) {
   Impl& r = *impl_;
   r.view.look(r.rays, X_WC, people);
   r.sorter.sort(r.view);
   r.fill_tiles();
   r.smooth_edges();
+  if (held != nullptr) paint_board(r.rays, *held, r.pixels);
   return r.finish.develop(r.pixels, static_cast<std::uint64_t>(chance));
 }
 

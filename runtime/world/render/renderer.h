@@ -8,6 +8,7 @@
 
 #include "model/camera_model.h"
 #include "model/geometry.h"
+#include "world/held_board.h"
 #include "world/world_config.h"
 
 namespace mirada::world {
@@ -22,9 +23,10 @@ class Renderer {
   ~Renderer();
   Renderer(Renderer&&) noexcept;
 
-  /// `people`: where each of the world's people stands. `chance` picks the sensor noise. A new CV_8UC3
-  /// picture.
-  cv::Mat render(const Eigen::Isometry3d& X_WC, const std::vector<Pose2>& people, std::int64_t chance);
+  /// `people`: where each of the world's people stands. `chance` picks the sensor noise. `held`: a print that
+  /// is nearer than all of it, or null. A new CV_8UC3 picture.
+  cv::Mat render(const Eigen::Isometry3d& X_WC, const std::vector<Pose2>& people, std::int64_t chance,
+                 const HeldBoard* held = nullptr);
 
  private:
   struct Impl;

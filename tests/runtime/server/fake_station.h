@@ -76,6 +76,35 @@ class FakeStation final : public session::Station {
     return picture_;
   }
 
+  std::vector<session::Option> cameras() const override { return {{"cam", "Cam", "Cámara"}}; }
+  Status calibrate(const session::CalibrationStep& step) override {
+    using Action = session::CalibrationStep::Action;
+    const char* names[] = {"begin", "take", "finish", "save", "cancel"};
+    log(std::string("calibrate ") + names[static_cast<std::size_t>(step.action)] +
+        (step.action == Action::begin ? " " + step.plan.size : ""));
+    if (step.plan.size == "0x0") return make_fault("size", messages::field_missing, {{"field", "size"}});
+    session::Calibration next;
+    if (step.action == Action::begin) next.phase = session::Calibration::Phase::looking;
+    show(next);
+    return Ok{};
+  }
+  std::shared_ptr<const session::Calibration> calibration() const override {
+    const std::lock_guard lock(mutex_);
+    return calibration_;
+  }
+  std::optional<Fault> camera_words() const override {
+    const std::lock_guard lock(mutex_);
+    return camera_words_;
+  }
+
+  void show(session::Calibration calibration) {
+    const std::lock_guard lock(mutex_);
+    calibration_ = std::make_shared<const session::Calibration>(std::move(calibration));
+  }
+  void say_of_camera(std::optional<Fault> words) {
+    const std::lock_guard lock(mutex_);
+    camera_words_ = std::move(words);
+  }
   void publish(const std::function<void(session::Telemetry&)>& change) {
     const std::lock_guard lock(mutex_);
     publish_locked(change);
@@ -122,6 +151,8 @@ class FakeStation final : public session::Station {
   session::Setup setup_{"room1", "bot", 1, true};
   std::shared_ptr<const session::Telemetry> telemetry_ = std::make_shared<const session::Telemetry>();
   std::shared_ptr<const session::Picture> picture_;
+  std::shared_ptr<const session::Calibration> calibration_ = std::make_shared<const session::Calibration>();
+  std::optional<Fault> camera_words_;
 };
 
 }  // namespace mirada::server

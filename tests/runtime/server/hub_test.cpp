@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fake_station.h"
+#include "server/messages.h"
 
 namespace mirada::server {
 namespace {
@@ -394,6 +395,66 @@ TEST_F(HubTest, garbage_is_refused_kindly_and_before_hello_closes) {
   stranger.id = hub_->join(stranger.link, false);
   say(stranger, {{"type", "run"}, {"program", 1}});
   EXPECT_EQ(stranger->closed, 1008);
+}
+
+TEST_F(HubTest, only_the_owner_calibrates_and_sees_how_it_goes) {
+  const Client ann = join("ann");
+  const Client bob = join("bob");
+  say(ann, {{"type", "calibrate"}, {"action", "begin"}, {"size", "7x5"}});
+  EXPECT_EQ(ann->last("owner")["you_drive"], true);
+  do_jobs();
+  hub_->tick();
+  EXPECT_THAT(station_.calls(), Contains("calibrate begin 7x5"));
+  EXPECT_EQ(ann->last("calibration")["phase"], "looking");
+  EXPECT_THAT(bob->of("calibration"), IsEmpty());
+  station_.forget_calls();
+  for (const char* action : {"begin", "take", "finish", "save", "cancel"}) {
+    say(bob, {{"type", "calibrate"}, {"action", action}});
+    EXPECT_EQ(bob->last("refused")["to"], "calibrate");
+  }
+  do_jobs();
+  EXPECT_THAT(station_.calls(), IsEmpty());
+}
+
+TEST_F(HubTest, a_calibration_ends_with_its_owner) {
+  const Client ann = join("ann");
+  say(ann, {{"type", "calibrate"}, {"action", "begin"}});
+  do_jobs();
+  hub_->leave(ann.id);
+  clock_.advance(3 * kSecond);
+  hub_->tick();
+  EXPECT_THAT(station_.calls(), Contains("calibrate cancel"));
+}
+
+TEST_F(HubTest, a_reloaded_page_goes_on_calibrating) {
+  const Client ann = join("ann");
+  say(ann, {{"type", "calibrate"}, {"action", "begin"}});
+  do_jobs();
+  hub_->tick();
+  hub_->leave(ann.id);
+  const Client again = join("ann");
+  EXPECT_EQ(again->last("calibration")["phase"], "looking");
+}
+
+TEST_F(HubTest, a_refused_calibration_says_why) {
+  const Client ann = join("ann");
+  say(ann, {{"type", "calibrate"}, {"action", "dance"}});
+  EXPECT_EQ(ann->last("refused")["to"], "calibrate");
+  say(ann, {{"type", "calibrate"}, {"action", "begin"}, {"size", "0x0"}});
+  do_jobs();
+  EXPECT_EQ(ann->last("refused")["faults"][0]["place"], "size");
+}
+
+TEST_F(HubTest, what_is_known_of_the_camera_reaches_those_who_come_later_too) {
+  const Client ann = join("ann");
+  hub_->tick();
+  EXPECT_THAT(ann->of("notice"), IsEmpty());
+  station_.say_of_camera(make_fault("", messages::robot_busy, {}, Severity::warning));
+  hub_->tick();
+  hub_->tick();
+  EXPECT_EQ(ann->of("notice").size(), 1u);
+  const Client bob = join("bob");
+  EXPECT_EQ(bob->last("notice")["code"], "robot_busy");
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <functional>
+
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -126,6 +128,65 @@ TEST(Solve, ABentBoardAndARepeatedViewAreLeftOutAndNamed) {
   EXPECT_THAT(text, HasSubstr("bent.jpg: The corners miss a flat board"));
   EXPECT_THAT(text, HasSubstr("again.jpg: The board is where it was in"));
   EXPECT_NEAR(found->camera.fx_px, camera.fx_px, 4 * found->sigma_fx_px);
+}
+
+/// The same views of a print that is not what it should be.
+std::vector<BoardView> set_of_print(const std::function<Eigen::Vector3d(const cv::Point3f&)>& print) {
+  const CameraModel camera = truth(CameraModel::Lens::brown);
+  std::vector<BoardView> views = good_set(camera, 0.45);
+  Random random(5, "print");
+  const double tilts[][3] = {{0, 0, 0},    {30, 0, 40},   {-30, 5, 90}, {0, 30, 10},   {5, -30, 75},
+                             {20, 20, 30}, {-20, 20, 85}, {25, -15, 0}, {-15, -25, 50}};
+  for (std::size_t v = 0; v < views.size(); ++v) {
+    using Eigen::AngleAxisd;
+    using Eigen::Vector3d;
+    const Eigen::Matrix3d R =
+        (AngleAxisd(rad(tilts[v][0]), Vector3d::UnitX()) * AngleAxisd(rad(tilts[v][1]), Vector3d::UnitY()) *
+         AngleAxisd(rad(tilts[v][2]), Vector3d::UnitZ()))
+            .toRotationMatrix();
+    const Eigen::Vector2d pixel(170 + 150.0 * static_cast<double>(v % 3),
+                                140 + 100.0 * static_cast<double>(v / 3));
+    const Vector3d middle = camera.unproject(pixel)->normalized() * 0.45;
+    for (std::size_t i = 0; i < views[v].corners_px.size(); ++i) {
+      const Vector3d p = print(views[v].corners_B_m[i]) - Vector3d(0.1, 0.0625, 0);
+      const auto seen = camera.project(middle + R * p);
+      views[v].corners_px[i] = {static_cast<float>(seen->x() + 0.1 * random.gaussian()),
+                                static_cast<float>(seen->y() + 0.1 * random.gaussian())};
+    }
+  }
+  return views;
+}
+
+TEST(Solve, AFlatSquarePrintIsFoundFlatAndSquare) {
+  const auto found = solve(set_of_print([](const cv::Point3f& p) { return Eigen::Vector3d(p.x, p.y, 0); }),
+                           LensChoice::brown);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->board.stretch, 1, 4 * found->board.sigma_stretch);
+  EXPECT_LT(found->board.sigma_stretch, 0.003);
+  EXPECT_LT(found->board.bend_m, 0.0008);
+  EXPECT_THAT(to_text(distrust(*found), Lang::en), IsEmpty());
+}
+
+TEST(Solve, ABoardOnAStretchedScreenIsRefused) {
+  const auto found =
+      solve(set_of_print([](const cv::Point3f& p) { return Eigen::Vector3d(1.04 * p.x, p.y, 0); }),
+            LensChoice::brown);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->board.stretch, 1.04, 0.01);
+  EXPECT_THAT(to_text(distrust(*found), Lang::en), HasSubstr("% wider than high"));
+}
+
+TEST(Solve, ABentBoardIsSaidToBeBent) {
+  for (const double bend_m : {0.004, -0.004}) {
+    const auto print = [&](const cv::Point3f& p) {
+      const double x = p.x / 0.1 - 1;
+      return Eigen::Vector3d(p.x, p.y, bend_m * x * x);
+    };
+    const auto found = solve(set_of_print(print), LensChoice::brown);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->board.bend_m, 0.004, 0.0015);
+    EXPECT_THAT(to_text(distrust(*found), Lang::en), HasSubstr("The board is bent by about"));
+  }
 }
 
 TEST(Solve, TooFewViewsAreRefusedInWords) {

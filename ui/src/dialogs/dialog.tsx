@@ -23,12 +23,14 @@ function holdFocus(element: HTMLElement): () => void {
 interface Props {
   title: string;
   wide?: boolean;
+  /** A press outside does not close it: there is work in it. */
+  firm?: boolean;
   onClose?: () => void;
   children: ComponentChildren;
 }
 
 /** A modal window with a title; Escape, the cross and a press outside close it. */
-export function Dialog({ title, wide, onClose, children }: Props) {
+export function Dialog({ title, wide, firm, onClose, children }: Props) {
   const ref = useRef<HTMLDialogElement>(null);
   const close = () => {
     closeDialog();
@@ -53,7 +55,7 @@ export function Dialog({ title, wide, onClose, children }: Props) {
         event.preventDefault();
         close();
       }}
-      onPointerDown={(event) => event.target === ref.current && close()}
+      onPointerDown={(event) => !firm && event.target === ref.current && close()}
     >
       <div class="dialog-body">
         <header>

@@ -2,6 +2,7 @@ import { useState } from 'preact/hooks';
 import { say, t } from '../messages';
 import { choose, free, putBack, robots, setup, worlds } from '../state/robot';
 import type { Choice } from '../wire/protocol';
+import { openCalibrate } from './calibrate_dialog';
 import { Dialog, closeDialog, openDialog } from './dialog';
 
 function Choices(props: { label: string; all: Choice[]; chosen: string; choose: (id: string) => void }) {
@@ -79,6 +80,9 @@ function SetupDialog() {
         )}
         {!free.value && <p class="field-fault">{t('watching')}</p>}
         <footer>
+          <button type="button" class="button" data-testid="calibrate-open" onClick={openCalibrate}>
+            {t('cal_open')}
+          </button>
           <button
             type="button"
             class="button"

@@ -1,6 +1,7 @@
 /** Which panels are open, and whether the stage is folded away. The robot only works for what is open. */
 import { effect, signal } from '@preact/signals';
 import type { Watch } from '../wire/protocol';
+import { wizardOpen } from './calibration';
 import { watch } from './robot';
 
 const key = 'mirada.panels';
@@ -39,7 +40,7 @@ export function keepPanels(): void {
     localStorage.setItem(key, JSON.stringify({ folded: folded.value, above: above.value, ...panels.value }));
     const open = !folded.value && !hidden.value;
     const wanted: Watch = {
-      camera: open,
+      camera: open || wizardOpen.value,
       sonar: open && panels.value.sonar,
       faces: open && panels.value.faces,
       room: open && above.value === 'room',

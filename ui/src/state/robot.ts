@@ -6,6 +6,7 @@ import { writeJson } from '../model/json';
 import type { Program } from '../model/program';
 import type { Words } from '../model/words';
 import { Connection, type Link } from '../wire/connection';
+import { calibration, cameras, leaving } from './calibration';
 import type {
   Choice,
   Fault,
@@ -151,6 +152,10 @@ function receive(message: FromRobot): void {
     case 'setup':
       setup.value = message.setup;
       break;
+    case 'calibration':
+      calibration.value = message;
+      if (message.phase === 'off') leaving.value = false;
+      break;
     case 'value':
       waiting.get(message.request)?.(message);
       waiting.delete(message.request);
@@ -200,6 +205,8 @@ function linkChanged(now: Link): void {
       starting.value = false;
       seat.value = nobody;
       telemetry.value = null;
+      calibration.value = null;
+      leaving.value = false;
     }
     if (now === 'up' && before === 'lost') noteKey('info', 'link_again');
   });
@@ -220,6 +227,7 @@ export function connect(answer: SetupAnswer): void {
   setup.value = answer.setup;
   worlds.value = answer.worlds;
   robots.value = answer.robots;
+  cameras.value = answer.cameras ?? [];
   keepClientUnique();
   connection = new Connection({
     link: linkChanged,
@@ -259,6 +267,10 @@ async function postStop(tries: number): Promise<void> {
   }
   if (stopping.peek() && tries < 20) window.setTimeout(() => void postStop(tries + 1), 500);
   else stopping.value = false;
+}
+
+export function send(message: ToRobot): void {
+  connection?.send(message);
 }
 
 export function pause(on: boolean): void {

@@ -25,6 +25,7 @@ export interface SetupAnswer {
   setup: Setup;
   worlds: Choice[];
   robots: Choice[];
+  cameras?: Choice[];
   lang: Lang;
 }
 
@@ -118,6 +119,25 @@ export interface Telemetry {
   memory: Memory | null;
 }
 
+/** What the calibration wizard shows; lengths in pixels of a picture of width x height. */
+export interface CalibrationState {
+  phase: 'off' | 'looking' | 'working' | 'ready' | 'poor' | 'saved';
+  room_holds: boolean;
+  width: number;
+  height: number;
+  corners: Point[];
+  taken: Point[][];
+  target: Point[];
+  next: Words | null;
+  now: Words | null;
+  views: number;
+  views_needed: number;
+  views_good: number;
+  coverage: number;
+  tilt_deg: number;
+  words: Fault[];
+}
+
 export interface Watch {
   camera: boolean;
   sonar: boolean;
@@ -135,6 +155,8 @@ export type ToRobot =
   | { type: 'evaluate'; request: number; program: Program; block: string }
   | { type: 'choose'; world: string; robot: string; seed: number }
   | { type: 'put_back' }
+  | { type: 'calibrate'; action: 'begin'; board: string; size: string; square_mm: number; camera: string }
+  | { type: 'calibrate'; action: 'take' | 'finish' | 'save' | 'cancel' }
   | ({ type: 'watch' } & Watch)
   | { type: 'release' };
 
@@ -165,6 +187,7 @@ export type FromRobot =
   | { type: 'refused'; to: string; faults: Fault[] }
   | { type: 'stopped' }
   | { type: 'value'; request: number; value?: Value; fault?: Fault }
+  | ({ type: 'calibration' } & CalibrationState)
   | { type: 'setup'; setup: Setup };
 
 export interface PictureHeader {
