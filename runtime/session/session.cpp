@@ -218,6 +218,19 @@ void Session::end_if_over() {
   stop(faulted_ ? StopReason::faulted : StopReason::program_ended);
 }
 
+/// What was seen, as far as it still says something about now: an old number is no number.
+std::shared_ptr<const Percepts> Session::fresh_percepts() const {
+  const std::shared_ptr<const Percepts>& seen = robot_->perception().percepts();
+  const Micros oldest = robot_->now() - robot::kPerceptLife;
+  const bool sonar_old = seen->sonar.frame != 0 && seen->sonar.t_exposure < oldest;
+  const bool faces_old = seen->faces.frame != 0 && seen->faces.t_exposure < oldest;
+  if (!sonar_old && !faces_old) return seen;
+  auto fresh = std::make_shared<Percepts>(*seen);
+  if (sonar_old) fresh->sonar = {};
+  if (faces_old) fresh->faces = {};
+  return fresh;
+}
+
 RunState Session::state() const {
   if (phase_ == Phase::idle) return RunState::idle;
   return paused_ ? RunState::paused : RunState::running;
@@ -238,7 +251,7 @@ Telemetry Session::snapshot() const {
   out.say = host_.bubble();
   out.say_log.assign(host_.said().begin(), host_.said().end());
   out.faults.assign(faults_.begin(), faults_.end());
-  out.percepts = robot_->perception().percepts();
+  out.percepts = fresh_percepts();
   out.X_OR = robot_->odometry().X_OR;
   out.neck = robot_->gaze().state(robot_->now()).angles;
   if (wanted_.memory) {

@@ -68,9 +68,11 @@ class Session {
   /// Null before the first program.
   const vm::Machine* machine() const { return machine_.get(); }
   /// All of Telemetry but the scene.
+  /// Percepts too old to say anything about now are left out.
   Telemetry snapshot() const;
 
  private:
+  std::shared_ptr<const Percepts> fresh_percepts() const;
   enum class Phase { idle, warming, running };
 
   void swap_machine(std::unique_ptr<vm::Machine> next);
