@@ -71,10 +71,12 @@ bool side_goes_on(const cv::Mat& gray, const Corners& corners, int start, int st
     const int neighbour = i + 1 < count ? i + 1 : i - 1;
     const cv::Point2f beside = corners[static_cast<std::size_t>(start + neighbour * step)];
     const cv::Point2f outward = edge - inner;
-    const auto crossing = is_crossing(gray, edge + outward, 0.4F * outward, 0.4F * (beside - edge));
-    if (!crossing) continue;
+    // Once far from the crossing, and once near it: the outermost squares of some boards are cut narrow.
+    const auto far = is_crossing(gray, edge + outward, 0.4F * outward, 0.4F * (beside - edge));
+    const auto near = is_crossing(gray, edge + outward, 0.2F * outward, 0.25F * (beside - edge));
+    if (!far && !near) continue;
     ++looked;
-    crossings += *crossing;
+    crossings += far.value_or(false) || near.value_or(false);
   }
   return looked >= 2 && crossings * 2 > looked;
 }
