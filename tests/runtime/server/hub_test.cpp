@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "fake_station.h"
-#include "server/messages.h"
 
 namespace mirada::server {
 namespace {
@@ -449,12 +448,12 @@ TEST_F(HubTest, what_is_known_of_the_camera_reaches_those_who_come_later_too) {
   const Client ann = join("ann");
   hub_->tick();
   EXPECT_THAT(ann->of("notice"), IsEmpty());
-  station_.say_of_camera(make_fault("", messages::robot_busy, {}, Severity::warning));
+  station_.say_of_camera(make_fault("", messages::field_missing, {{"field", "x"}}, Severity::warning));
   hub_->tick();
   hub_->tick();
   EXPECT_EQ(ann->of("notice").size(), 1u);
   const Client bob = join("bob");
-  EXPECT_EQ(bob->last("notice")["code"], "robot_busy");
+  EXPECT_EQ(bob->last("notice")["code"], "field_missing");
 }
 
 }  // namespace

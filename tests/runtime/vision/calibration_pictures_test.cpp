@@ -62,6 +62,14 @@ cv::Mat drawn_board(int columns, int rows) {
   return out;
 }
 
+TEST(CalibrateFromPhotographs, BoardsOfAnotherSizeAreRefused) {
+  for (const char* wrong : {"8x6", "9x5", "7x6", "10x7"}) {
+    const PictureSet set = read_pictures(photographs("left"), *chessboard_spec(wrong, 25));
+    EXPECT_THAT(set.views, IsEmpty()) << wrong;
+    EXPECT_EQ(set.refused.size(), 13u) << wrong;
+  }
+}
+
 TEST(CalibrateFromPhotographs, LeftCameraMeetsItsNumbersAndComesBackFromItsFile) {
   PictureSet set = read_pictures(photographs("left"), board_9x6());
   EXPECT_THAT(to_text(set.refused, Lang::en), IsEmpty());
