@@ -54,7 +54,7 @@ HOT_HANDLER(divide) {
 }
 /// mod where an operand is not a small whole number above 0. A function of its own, so that the usual way
 /// needs no stack.
-[[gnu::noinline]] const Instr* mod_of_any(const Instr* at, Slot* f, Slot* g, Turn& t) {
+[[gnu::noinline]] const Instr* mod_of_any(const Instr* at, Slot* f, Slot* g, [[maybe_unused]] Turn& t) {
   any_reg(f, g, at->a).n = slow_mod(any_reg(f, g, at->b).n, any_reg(f, g, at->c).n);
   NEXT(at + 1);
 }

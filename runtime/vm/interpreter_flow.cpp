@@ -113,7 +113,7 @@ HANDLER(warp_off) {
 namespace {
 
 /// A call that needs more than a frame: values among its registers, memory, a yield.
-[[gnu::noinline]] const Instr* call_slowly(const Instr* at, Slot* f, Slot* g, Turn& t) {
+[[gnu::noinline]] const Instr* call_slowly(const Instr* at, Slot* f, [[maybe_unused]] Slot* g, Turn& t) {
   Thread& thread = *t.thread;
   const Function& function = t.functions[at->a];
   const std::uint32_t base = thread.frames.back().base + static_cast<std::uint32_t>(at->c);
@@ -145,7 +145,7 @@ const Instr* leave(Slot* f, Turn& t) {
   return top.back;
 }
 
-[[gnu::noinline]] const Instr* leave_slowly(const Instr*, Slot* f, Slot* g, Turn& t) {
+[[gnu::noinline]] const Instr* leave_slowly(const Instr*, Slot* f, [[maybe_unused]] Slot* g, Turn& t) {
   const Instr* to = leave(f, t);
   if (!to) return nullptr;
   f = t.frame;

@@ -17,7 +17,7 @@ constexpr double kMostOffCentre = 0.15;
 constexpr double kLeastPixelRatio = 0.9;
 constexpr double kMostPixelRatio = 1.1;
 constexpr double kSigmasToSay = 5;
-constexpr double kMostStretch = 0.01;
+constexpr double kMostSquareStretch = 0.01;
 constexpr double kBendToSay = 0.005;  ///< of the board's diagonal
 constexpr double kMostBend = 0.02;
 constexpr double kTellingTolerance = 0.1;  ///< a sheet vaguer than this fits nearly every camera
@@ -99,10 +99,10 @@ void check_lens(const Calibration& c, Faults& faults) {
 /// What the corners say of the print: a screen or a printer that stretches, paper that bends.
 void check_board(const Calibration& c, Faults& faults) {
   const double off = std::abs(c.board.stretch - 1);
-  if (off > kMostStretch && off > kSigmasToSay * c.board.sigma_stretch) {
+  if (off > kMostSquareStretch && off > kSigmasToSay * c.board.sigma_stretch) {
     faults.push_back(make_fault("set", messages::set_board_stretched,
                                 {{"value", number_text(100 * (c.board.stretch - 1), 1)},
-                                 {"max", number_text(100 * kMostStretch, 0)}}));
+                                 {"max", number_text(100 * kMostSquareStretch, 0)}}));
   }
   const double bend = c.board.bend_m / std::max(1e-6, c.board_diagonal_m);
   if (bend > kBendToSay && c.board.bend_m > kSigmasToSay * c.board.sigma_bend_m) {
