@@ -12,6 +12,9 @@ inline constexpr Message nothing_ships{
 inline constexpr Message robot_closed{"robot_closed", "The robot is being switched off.",
                                       "El robot se está apagando."};
 
+inline constexpr Message kept_camera_broken{
+    "kept_camera_broken", "The kept calibration {file} has mistakes, so I don't use it. Calibrate again.",
+    "La calibración guardada {file} tiene errores, así que no la uso. Calibra otra vez."};
 inline constexpr Message kept_camera_other_size{
     "kept_camera_other_size",
     "The kept calibration is of {theirs} pictures, the robot's are {ours}: I don't use it. Calibrate again.",

@@ -151,7 +151,9 @@ describe('first light', { timeout: 600_000 }, () => {
     await page.locator(on.block('w4999')).first().waitFor({ state: 'attached', timeout: 120_000 });
     await page.click(on.flag);
     await until('a running program', () => heard.telemetry?.state === 'running', 60);
-    const answer = heard.messages.find(({ type }) => type === 'started' || type === 'refused');
+    const answered = () => heard.messages.find(({ type }) => type === 'started' || type === 'refused');
+    await until('an answer', answered);
+    const answer = answered();
     assert.deepEqual({ type: answer.type, warnings: answer.warnings }, { type: 'started', warnings: [] });
     await page.click(on.stop);
     await until('rest', () => heard.telemetry.state === 'idle', 5);

@@ -65,7 +65,12 @@ Status use_kept_camera(const fs::path& file, RobotConfig& robot) {
   std::error_code error;
   if (!fs::exists(file, error)) return Ok{};
   const auto camera = load_camera_file(file);
-  if (!camera) return camera.faults();
+  if (!camera) {
+    Faults faults{
+        make_fault(file.string(), messages::kept_camera_broken, {{"file", file.filename().string()}})};
+    faults.insert(faults.end(), camera.faults().begin(), camera.faults().end());
+    return faults;
+  }
   const CameraModel& own = robot.camera;
   const double shape =
       static_cast<double>(own.width_px) * camera->height_px / own.height_px / camera->width_px;
