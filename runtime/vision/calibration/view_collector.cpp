@@ -107,7 +107,9 @@ void ViewCollector::take(const BoardView& view, const BoardHold& hold) {
 
 bool ViewCollector::enough() const {
   if (views_.size() >= kMost) return true;
-  return views_.size() >= kGood && coverage_.share >= kGoodCoverage && tilt_spread_rad_ >= kGoodTilt_rad;
+  if (views_.size() < kGood || tilt_spread_rad_ < kGoodTilt_rad) return false;
+  // A lens or board for which the tour has no better places: whether it can be trusted the judge will say.
+  return coverage_.share >= kGoodCoverage || !next();
 }
 
 std::optional<NextHold> ViewCollector::next() const {
