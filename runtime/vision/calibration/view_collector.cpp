@@ -107,9 +107,10 @@ void ViewCollector::take(const BoardView& view, const BoardHold& hold) {
 
 bool ViewCollector::enough() const {
   if (views_.size() >= kMost) return true;
-  if (views_.size() < kGood || tilt_spread_rad_ < kGoodTilt_rad) return false;
-  // A lens or board for which the tour has no better places: whether it can be trusted the judge will say.
-  return coverage_.share >= kGoodCoverage || !next();
+  // A lens or board for which the tour has no more places: whether it can be trusted the judge will say.
+  const bool toured = !next();
+  if (views_.size() < (toured ? kFew : kGood) || tilt_spread_rad_ < kGoodTilt_rad) return false;
+  return toured || coverage_.share >= kGoodCoverage;
 }
 
 std::optional<NextHold> ViewCollector::next() const {

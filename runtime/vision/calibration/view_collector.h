@@ -19,6 +19,7 @@ struct NextHold {
 class ViewCollector {
  public:
   static constexpr std::size_t kGood = 12;  ///< views that are asked for
+  static constexpr std::size_t kFew = 8;    ///< views that will do when there are no more places to hold it
   static constexpr std::size_t kMost = 24;
 
   /// `guess` has the pictures' size; its lens need only be roughly right.
