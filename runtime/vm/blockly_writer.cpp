@@ -26,7 +26,7 @@ bool is_plain_number(const std::string& text) {
 }
 
 const char* type_of(const std::string& placeholder) {
-  return placeholder == "%b" ? "boolean" : placeholder == "%n" ? "number" : "text";
+  return placeholder == "%b" ? "boolean" : "text";  // Scratch keeps what a %n gets as it comes
 }
 
 /// "jump %s times %b" -> "jump times", and the types of its parameters.
@@ -99,7 +99,8 @@ class Writer {
       packs_.insert("data");
     };
     for (const Variable& variable : program_.variables) {
-      if (variable.kind == VariableKind::scalar && variable.initial.value != "0") {
+      const bool zero = variable.initial.is_number && variable.initial.value == "0";
+      if (variable.kind == VariableKind::scalar && !zero) {
         add("data_setvariableto", "VARIABLE", variable, "VALUE", &variable.initial);
       }
       if (variable.initial_items.empty() || variable.initial_items.size() > kMostKeptItems) continue;
@@ -189,10 +190,15 @@ class Writer {
     return def && !known ? "scratch_" + block.opcode : block.opcode;
   }
 
-  std::string signature(const Block& block) const {
+  /// The definition's; a call carries a copy, which may be an old one.
+  const Signature& real_signature(const Block& block) const {
     const Signature& said = signature_of(block);
     const auto it = definitions_.find({block.sprite, said.id});
-    const Signature& real = it == definitions_.end() ? said : *it->second;
+    return it == definitions_.end() ? said : *it->second;
+  }
+
+  std::string signature(const Block& block) const {
+    const Signature& real = real_signature(block);
     const Heading heading = heading_of(real.name);
     std::string params;
     for (std::size_t i = 0; i < real.params.size(); ++i) {
@@ -228,7 +234,23 @@ class Writer {
       if (content.empty()) continue;
       out += (out.empty() ? "" : ",") + quoted(input.name) + ":{" + content + "}";
     }
+    if (block.opcode == "procedures_call" && block.signature >= 0) {
+      for (const std::string& fallback : fallbacks(block)) out += (out.empty() ? "" : ",") + fallback;
+    }
     return out.empty() ? out : ",\"inputs\":{" + out + "}";
+  }
+
+  /// What a call's empty slots stand for in Scratch; an empty truth is false here too.
+  std::vector<std::string> fallbacks(const Block& block) const {
+    std::vector<std::string> out;
+    for (const Parameter& param : real_signature(block).params) {
+      const Input* given = block.input(param.id);
+      if ((given && given->content() != kNone) || param.fallback.empty() || param.fallback == "false")
+        continue;
+      out.push_back(quoted(param.id) + R"(:{"shadow":{"type":"text","fields":{"TEXT":)" +
+                    quoted(param.fallback) + "}}}");
+    }
+    return out;
   }
 
   /// A literal as the socket wants it: a number's field where a number stands in a number's socket.
@@ -241,7 +263,10 @@ class Writer {
         wants_number = wants_number || (arg.name == socket && arg.type == ArgType::number);
     }
     const std::string id = ",\"id\":" + quoted(block.id);
-    if (wants_number && is_plain_number(literal->value)) {
+    // What prints otherwise stays as it is written: "1.0" draws no whole numbers.
+    const bool same = is_plain_number(literal->value) &&
+                      number_to_string(string_to_number(literal->value)) == literal->value;
+    if (wants_number && same) {
       return "{\"type\":\"math_number\"" + id +
              ",\"fields\":{\"NUM\":" + nlohmann::json(string_to_number(literal->value)).dump() + "}}";
     }

@@ -97,6 +97,7 @@ struct ListInfo {
   std::string name{};
   bool numbers = false;
   bool digits = false;
+  bool mixed = false;  ///< numbers and texts of digits, bare: vm/digits.h
   bool own = false;
   std::int32_t sprite = 0;
   std::vector<GlobalInit> initial{};

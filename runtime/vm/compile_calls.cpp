@@ -14,7 +14,7 @@ Operand Compiler::argument(const Block& block, const Parameter& param, Types wan
   if (param.type == ParamType::raw && content(block, param.id) == kNone) {
     return {text_constant(param.fallback), Kind::value, type::text};
   }
-  return is_bare(wanted) ? input(block, param.id) : value_input(block, param.id);
+  return is_bare(wanted) ? bare_input(block, param.id, wanted) : value_input(block, param.id);
 }
 
 void Compiler::pass_arguments(const Block& block, int definition) {

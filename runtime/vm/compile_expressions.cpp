@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "vm/compiler.h"
+#include "vm/digits.h"
 #include "vm/literal.h"
 #include "vm/numbers.h"
 
@@ -224,13 +225,26 @@ bool Compiler::list_item_as_number(const Block& block, std::string_view name, Op
   const std::int32_t list = list_of(item);
   const Operand index = number_input(item, "INDEX");
   build_->free(index);
-  out = emit_to(Kind::number, type::number, op, list, index.reg);
+  const Types kept = types_.variable(types_.variable_of(item, "LIST"));
+  out = emit_to(Kind::number, is_mixed(kept) ? kept : type::number, op, list, index.reg);
   build_->set_block(around);
   return true;
 }
 
 Operand Compiler::input(const Block& block, std::string_view name) {
   return expression(content(block, name));
+}
+
+/// For a place that keeps it bare, as its types want it.
+Operand Compiler::bare_input(const Block& block, std::string_view name, Types wanted) {
+  const Operand given = input(block, name);
+  if (!is_mixed(wanted) || given.types != type::digits) return given;
+  const BlockIndex at = content(block, name);
+  if (const Field* field = literal_field(program_.at(at))) {
+    return {number_constant(digits_of(string_to_number(field->value))), Kind::number, wanted};
+  }
+  build_->free(given);
+  return emit_to(Kind::number, wanted, Op::digits, given.reg);
 }
 
 Operand Compiler::number_input(const Block& block, std::string_view name) {
@@ -277,6 +291,7 @@ Operand Compiler::as_value(Operand operand) {
 /// The instruction that makes a value of what a number register holds.
 Op Compiler::box_of(const Operand& operand) {
   if (operand.types == type::truth) return Op::box_t;
+  if (is_mixed(operand.types)) return Op::box_mixed;
   return operand.types == type::digits ? Op::box_digits : Op::box_n;
 }
 

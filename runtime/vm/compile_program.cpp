@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "vm/compiler.h"
+#include "vm/digits.h"
 #include "vm/letter_case.h"
 #include "vm/literal.h"
 #include "vm/message_name.h"
@@ -20,12 +21,16 @@ std::vector<bool> find_effects(const Program& program) {
   return effects;
 }
 
-GlobalInit initial_of(const Field& field, bool bare) {
-  const double number = string_to_number(field.value);
+GlobalInit initial_of(const Field& field) {
   if (field.is_truth) return {Kind::value, false, field.value == "true" ? 1.0 : 0.0, {}, true};
-  if (bare || field.is_number)
-    return {Kind::number, false, number == number || field.is_number ? number : 0, {}};
+  if (field.is_number) return {Kind::number, false, string_to_number(field.value), {}};
   return {Kind::value, true, 0, field.value};
+}
+
+/// The same for a place that keeps its content bare.
+GlobalInit bare_initial_of(const Field& field, Types types) {
+  const double number = string_to_number(field.value);
+  return {Kind::number, false, is_mixed(types) && !field.is_number ? digits_of(number) : number, {}};
 }
 
 std::string shown_name(const Program& program, const Variable& variable) {
@@ -86,7 +91,8 @@ void Compiler::place_scalar(Code& code, std::size_t i) {
   const Variable& variable = program_.variables[i];
   const Types types = types_.variable(static_cast<int>(i));
   const Kind kind = is_bare(types) ? Kind::number : Kind::value;
-  const GlobalInit initial = initial_of(variable.initial, is_bare(types));
+  const GlobalInit initial =
+      is_bare(types) ? bare_initial_of(variable.initial, types) : initial_of(variable.initial);
   const bool own = program_.sprites[static_cast<std::size_t>(variable.sprite)].is_cloned;
   VariableInfo info{.name = shown_name(program_, variable),
                     .kind = kind,
@@ -113,10 +119,11 @@ void Compiler::place_list(Code& code, std::size_t i) {
   ListInfo info{.name = shown_name(program_, variable),
                 .numbers = is_bare(types),
                 .digits = types == type::digits,
+                .mixed = is_mixed(types),
                 .own = own,
                 .sprite = variable.sprite,
                 .initial = {}};
-  for (const Field& item : variable.initial_items) info.initial.push_back(initial_of(item, is_bare(types)));
+  for (const Field& item : variable.initial_items) info.initial.push_back(initial_of(item));
   const auto number = static_cast<std::int32_t>(code.lists.size());
   code.lists.push_back(std::move(info));
   list_places_[i] = number;
@@ -138,8 +145,12 @@ Operand Compiler::read(const Place& place) {
   return emit_to(place.kind, place.types, place.kind == Kind::number ? Op::load_n : Op::load_v, place.reg);
 }
 
-/// `from` stays the caller's, who frees it.
-void Compiler::write(const Place& place, const Operand& from) {
+/// `given` stays the caller's, who frees it.
+void Compiler::write(const Place& place, const Operand& given) {
+  Operand from = given;
+  if (is_mixed(place.types) && given.types == type::digits) {
+    from = emit_to(Kind::number, place.types, Op::digits, given.reg);
+  }
   const bool boxes = place.kind == Kind::value && from.kind == Kind::number;
   if (boxes && !place.own) {
     build_->emit(box_of(from), place.reg, from.reg);
@@ -152,6 +163,7 @@ void Compiler::write(const Place& place, const Operand& from) {
     build_->emit(place.kind == Kind::number ? Op::set : Op::copy, place.reg, source.reg);
   }
   if (boxes) build_->free(source);
+  if (from.reg != given.reg) build_->free(from);
 }
 
 std::int32_t Compiler::list_of(const Block& block) {

@@ -259,7 +259,7 @@ void Compiler::give_back(const Block& block) {
   if (definition_ < 0) return end_script();
   const Types types = types_.returned(definition_);
   const bool bare = is_bare(types) || types == type::truth;
-  const Operand value = bare ? input(block, "VALUE") : value_input(block, "VALUE");
+  const Operand value = bare ? bare_input(block, "VALUE", types) : value_input(block, "VALUE");
   build_->emit_end(bare ? Op::ret_n : Op::ret_v, value.reg);
   build_->free(value);
 }
@@ -269,7 +269,7 @@ bool Compiler::data_statement(const Block& block) {
   if (block.opcode == "data_changevariableby") return change_variable(block), true;
   if (block.opcode == "data_scriptvariable") {
     if (const Place* place = place_of(block, "VARIABLE")) {
-      write(*place, {number_constant(0), Kind::number, type::digits, false});
+      write(*place, {number_constant(0), Kind::number, type::number, false});
     }
     return true;
   }
@@ -284,7 +284,7 @@ void Compiler::set_variable(const Block& block) {
     write(*place, value);
     return build_->free(value);
   }
-  const Operand value = input(block, "VALUE");
+  const Operand value = bare_input(block, "VALUE", place->types);
   write(*place, value);
   build_->free(value);
 }
@@ -315,10 +315,11 @@ void Compiler::change_variable(const Block& block) {
 bool Compiler::list_statement(const Block& block) {
   const std::string& opcode = block.opcode;
   const bool bare = list_is_bare(block);
+  const Types types = bare ? types_.variable(types_.variable_of(block, "LIST")) : type::any;
   const std::int32_t list = list_of(block);
   if (opcode == "data_deletealloflist") return build_->emit(Op::list_clear, list), true;
   if (opcode == "data_addtolist") {
-    const Operand item = bare ? input(block, "ITEM") : value_input(block, "ITEM");
+    const Operand item = bare ? bare_input(block, "ITEM", types) : value_input(block, "ITEM");
     build_->emit(bare ? Op::list_add_n : Op::list_add, list, item.reg);
     return build_->free(item), true;
   }
@@ -326,7 +327,7 @@ bool Compiler::list_statement(const Block& block) {
   if (opcode == "data_replaceitemoflist" && bare && bare_index) {
     Operand index = number_input(block, "INDEX");
     if (has_effects(content(block, "ITEM"))) index = kept(index);
-    const Operand item = input(block, "ITEM");
+    const Operand item = bare_input(block, "ITEM", types);
     build_->emit(Op::list_set_n, list, index.reg, item.reg);
     build_->free(index);
     return build_->free(item), true;

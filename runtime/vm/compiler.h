@@ -76,6 +76,7 @@ class Compiler {
   // compile_expressions.cpp
   Operand expression(BlockIndex index);
   Operand input(const Block& block, std::string_view name);
+  Operand bare_input(const Block& block, std::string_view name, Types wanted);
   Operand number_input(const Block& block, std::string_view name);
   Operand value_input(const Block& block, std::string_view name);
   Operand truth_input(const Block& block, std::string_view name);
@@ -109,7 +110,7 @@ class Compiler {
   };
   const Place* place_of(const Block& block, std::string_view field);
   Operand read(const Place& place);
-  void write(const Place& place, const Operand& from);
+  void write(const Place& place, const Operand& given);
   std::int32_t list_of(const Block& block);
   bool list_is_bare(const Block& block) const;
   BlockIndex content(const Block& block, std::string_view name) const;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "vm/code.h"
+#include "vm/digits.h"
 #include "vm/numbers.h"
 
 namespace mirada::vm {
@@ -15,7 +16,9 @@ std::string register_text(const Code& code, std::int32_t operand) {
     if (!variable.own && static_cast<std::size_t>(variable.place) == place) return "[" + variable.name + "]";
   }
   const GlobalInit& constant = code.globals[place];
-  return constant.is_text ? "\"" + constant.text + "\"" : number_to_string(constant.number);
+  if (constant.is_text) return "\"" + constant.text + "\"";
+  const std::string number = number_to_string(behind_digits(constant.number));
+  return is_digits(constant.number) ? "\"" + number + "\"" : number;
 }
 
 std::string list_text(const Code& code, std::int32_t list) {

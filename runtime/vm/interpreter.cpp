@@ -1,14 +1,12 @@
 // The hot instructions: each has one copy of its handler for every place (frame or global) that its operands
 // can be in, and goes straight on to the next instruction's handler. Those of interpreter_slow.cpp go back to
 // the loop in run_turn.
+#include "vm/digits.h"
 #include "vm/handlers.h"
 #include "vm/numbers.h"
 
 namespace mirada::vm {
 namespace {
-
-/// Reads 0 for what is no number.
-double plain(double x) { return x == x ? x : 0; }
 
 template <bool kGlobal>
 Slot& reg(Slot* frame, Slot* globals, std::int32_t operand) {
@@ -23,39 +21,51 @@ Slot& reg(Slot* frame, Slot* globals, std::int32_t operand) {
 #define B (reg<kB>(f, g, at->b).n)
 #define C (reg<kC>(f, g, at->c).n)
 
-// A result that is no number may come from an operand that is none, which counts as 0.
+/// Where an operand is no number, or a text of digits. A function of its own, as those below, so that the
+/// usual way needs no stack.
+[[gnu::noinline]] const Instr* calculate(const Instr* at, Slot* f, Slot* g, [[maybe_unused]] Turn& t) {
+  const double b = plain(any_reg(f, g, at->b).n);
+  const double c =
+      at->op == Op::round || at->op == Op::floor || at->op == Op::no_nan ? 0 : plain(any_reg(f, g, at->c).n);
+  double& a = any_reg(f, g, at->a).n;
+  if (at->op == Op::add) a = b + c;
+  if (at->op == Op::subtract) a = b - c;
+  if (at->op == Op::multiply) a = b * c;
+  if (at->op == Op::divide) a = b / c;
+  if (at->op == Op::mod) a = modulo(b, c);
+  if (at->op == Op::round) a = round_half_up(b);
+  if (at->op == Op::floor) a = floor_of(b);
+  if (at->op == Op::no_nan) a = b;
+  NEXT(at + 1);
+}
+
+// A result that is no number may come from an operand that is none.
 HOT_HANDLER(add) {
-  double r = B + C;
+  const double r = B + C;
   if (r != r) [[unlikely]]
-    r = plain(B) + plain(C);
+    return calculate(at, f, g, t);
   A = r;
   NEXT(at + 1);
 }
 HOT_HANDLER(subtract) {
-  double r = B - C;
+  const double r = B - C;
   if (r != r) [[unlikely]]
-    r = plain(B) - plain(C);
+    return calculate(at, f, g, t);
   A = r;
   NEXT(at + 1);
 }
 HOT_HANDLER(multiply) {
-  double r = B * C;
+  const double r = B * C;
   if (r != r) [[unlikely]]
-    r = plain(B) * plain(C);
+    return calculate(at, f, g, t);
   A = r;
   NEXT(at + 1);
 }
 HOT_HANDLER(divide) {
-  double r = B / C;
+  const double r = B / C;
   if (r != r) [[unlikely]]
-    r = plain(B) / plain(C);
+    return calculate(at, f, g, t);
   A = r;
-  NEXT(at + 1);
-}
-/// mod where an operand is not a small whole number above 0. A function of its own, so that the usual way
-/// needs no stack.
-[[gnu::noinline]] const Instr* mod_of_any(const Instr* at, Slot* f, Slot* g, [[maybe_unused]] Turn& t) {
-  any_reg(f, g, at->a).n = slow_mod(any_reg(f, g, at->b).n, any_reg(f, g, at->c).n);
   NEXT(at + 1);
 }
 HOT_HANDLER(mod) {
@@ -65,7 +75,7 @@ HOT_HANDLER(mod) {
   const auto iy = static_cast<std::int32_t>(y);
   const bool whole = static_cast<double>(ix) == x && static_cast<double>(iy) == y;
   if (!whole || ix <= 0 || iy <= 0) [[unlikely]]
-    return mod_of_any(at, f, g, t);
+    return calculate(at, f, g, t);
   A = static_cast<double>(
       static_cast<std::int32_t>(static_cast<std::uint32_t>(ix) % static_cast<std::uint32_t>(iy)));
   NEXT(at + 1);
@@ -75,15 +85,24 @@ HOT_HANDLER(set) {
   NEXT(at + 1);
 }
 HOT_HANDLER(no_nan) {
-  A = plain(B);
+  const double x = B;
+  if (x != x) [[unlikely]]
+    return calculate(at, f, g, t);
+  A = x;
   NEXT(at + 1);
 }
 HOT_HANDLER(round) {
-  A = round_half_up(plain(B));
+  const double x = B;
+  if (x != x) [[unlikely]]
+    return calculate(at, f, g, t);
+  A = round_half_up(x);
   NEXT(at + 1);
 }
 HOT_HANDLER(floor) {
-  A = floor_of(plain(B));
+  const double x = B;
+  if (x != x) [[unlikely]]
+    return calculate(at, f, g, t);
+  A = floor_of(x);
   NEXT(at + 1);
 }
 
@@ -105,10 +124,26 @@ HOT_HANDLER(repeat_back) {
 }
 HOT_HANDLER(jump_if) { JUMP_WHEN(A != 0); }
 HOT_HANDLER(jump_unless) { JUMP_WHEN(A == 0); }
-HOT_HANDLER(jump_less) { JUMP_WHEN(less_numbers(A, B)); }
-HOT_HANDLER(jump_not_less) { JUMP_WHEN(!less_numbers(A, B)); }
-HOT_HANDLER(jump_equal) { JUMP_WHEN(equal_numbers(A, B)); }
-HOT_HANDLER(jump_unequal) { JUMP_WHEN(!equal_numbers(A, B)); }
+
+/// Comparing where an operand is no number, or a text of digits.
+[[gnu::noinline]] const Instr* compare_and_jump(const Instr* at, Slot* f, Slot* g, Turn& t) {
+  const double a = behind_digits(any_reg(f, g, at->a).n);
+  const double b = behind_digits(any_reg(f, g, at->b).n);
+  const bool less = at->op == Op::jump_less || at->op == Op::jump_not_less;
+  const bool holds = less ? less_numbers(a, b) : equal_numbers(a, b);
+  JUMP_WHEN(holds == (at->op == Op::jump_less || at->op == Op::jump_equal));
+}
+#define COMPARED(condition)               \
+  const double a = A;                     \
+  const double b = B;                     \
+  if (!(a < b) && !(a >= b)) [[unlikely]] \
+    return compare_and_jump(at, f, g, t); \
+  JUMP_WHEN(condition)
+HOT_HANDLER(jump_less) { COMPARED(a < b); }
+HOT_HANDLER(jump_not_less) { COMPARED(!(a < b)); }
+HOT_HANDLER(jump_equal) { COMPARED(a == b); }
+HOT_HANDLER(jump_unequal) { COMPARED(a != b); }
+#undef COMPARED
 
 /// The 0-based place of a 1-based, perhaps broken index; past the end when there is none.
 std::size_t place_of(double index, std::size_t length) {
@@ -122,22 +157,42 @@ HOT_HANDLER(list_add_n) {
   if (list.numbers.size() < List::kMaxItems) list.numbers.push_back(B);
   NEXT(at + 1);
 }
+/// The same where there is no such place at first sight: the index may be a text of digits.
+[[gnu::noinline]] const Instr* look_in_list(const Instr* at, Slot* f, Slot* g, Turn& t) {
+  if (at->op == Op::list_set_n) {
+    List& list = list_at(t, at->a);
+    const std::size_t i = place_of(plain(any_reg(f, g, at->b).n), list.numbers.size());
+    if (i < list.numbers.size()) list.numbers[i] = any_reg(f, g, at->c).n;
+    NEXT(at + 1);
+  }
+  const List& list = list_at(t, at->b);
+  const std::size_t i = place_of(plain(any_reg(f, g, at->c).n), list.numbers.size());
+  const double nothing = at->op == Op::list_get_n ? 0 : std::numeric_limits<double>::quiet_NaN();
+  any_reg(f, g, at->a).n = i < list.numbers.size() ? list.numbers[i] : nothing;
+  NEXT(at + 1);
+}
 HOT_HANDLER(list_get_n) {
   const List& list = list_at(t, at->b);
   const std::size_t i = place_of(C, list.numbers.size());
-  A = i < list.numbers.size() ? list.numbers[i] : 0;
+  if (i >= list.numbers.size()) [[unlikely]]
+    return look_in_list(at, f, g, t);
+  A = list.numbers[i];
   NEXT(at + 1);
 }
 HOT_HANDLER(list_peek_n) {
   const List& list = list_at(t, at->b);
   const std::size_t i = place_of(C, list.numbers.size());
-  A = i < list.numbers.size() ? list.numbers[i] : std::numeric_limits<double>::quiet_NaN();
+  if (i >= list.numbers.size()) [[unlikely]]
+    return look_in_list(at, f, g, t);
+  A = list.numbers[i];
   NEXT(at + 1);
 }
 HOT_HANDLER(list_set_n) {
   List& list = list_at(t, at->a);
   const std::size_t i = place_of(B, list.numbers.size());
-  if (i < list.numbers.size()) list.numbers[i] = C;
+  if (i >= list.numbers.size()) [[unlikely]]
+    return look_in_list(at, f, g, t);
+  list.numbers[i] = C;
   NEXT(at + 1);
 }
 HOT_HANDLER(list_length) {

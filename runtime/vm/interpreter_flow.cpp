@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "vm/digits.h"
 #include "vm/handlers.h"
 #include "vm/messages.h"
 #include "vm/native_call.h"
@@ -222,7 +223,7 @@ HANDLER(stop_others) {
 
 HANDLER(wait) {
   t.fuel -= at->executions;
-  const double seconds = A.n > 0 ? A.n : 0;
+  const double seconds = std::max(plain(A.n), 0.0);
   const Micros now = t.machine->host.now();
   t.machine->sleep(*t.thread, seconds < 1e9 ? now + micros(seconds) : std::numeric_limits<Micros>::max() / 2,
                    false);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "vm/digits.h"
 #include "vm/handlers.h"
 #include "vm/messages.h"
 
@@ -42,7 +43,7 @@ const Instr* changed(const Instr* at, Turn& t, List& list, std::size_t work, Cha
 
 bool equals_item(const List& list, std::size_t i, const Value& wanted) {
   if (!list.bare) return compare(list.values[i], wanted) == 0;
-  return compare(Value(list.numbers[i]), wanted) == 0;
+  return compare(Value(behind_digits(list.numbers[i])), wanted) == 0;
 }
 
 /// The place of the first item that equals `wanted`, from 0; the length without one. Nothing when somebody
@@ -51,7 +52,7 @@ std::optional<std::size_t> find(const Turn& t, const List& list, const Value& wa
   if (list.bare && wanted.is_number()) {
     const double number = wanted.number();
     const auto it = std::find_if(list.numbers.begin(), list.numbers.end(),
-                                 [&](double item) { return equal_numbers(item, number); });
+                                 [&](double item) { return equal_numbers(behind_digits(item), number); });
     return static_cast<std::size_t>(it - list.numbers.begin());
   }
   std::size_t i = 0;
@@ -80,7 +81,9 @@ Value at_place(Turn& t, const List& list, std::size_t place) {
 }  // namespace
 
 const Instr* slow_add_number(const Instr* at, List& list, double number, Turn& turn) {
-  return changed(at, turn, list, list.size() / 64, [&] { list.add(Value(number)); });
+  return changed(at, turn, list, list.size() / 64, [&] {
+    if (list.numbers.size() < List::kMaxItems) list.numbers.push_back(number);
+  });
 }
 
 HANDLER(list_add) {
@@ -90,7 +93,7 @@ HANDLER(list_add) {
 
 HANDLER(list_get_at) {
   const List& list = list_at(t, at->b);
-  const double place = std::floor(C.n);
+  const double place = std::floor(plain(C.n));
   const bool there = place >= 1 && place <= static_cast<double>(list.size());
   A.v = at_place(t, list, there ? static_cast<std::size_t>(place) : 0);
   return at + 1;

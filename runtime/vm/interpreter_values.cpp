@@ -1,22 +1,17 @@
 // Instructions over values: boxing, casts, comparison, texts.
+#include "vm/digits.h"
 #include "vm/handlers.h"
 #include "vm/messages.h"
 #include "vm/numbers.h"
 #include "vm/text.h"
 
 namespace mirada::vm {
-namespace {
-
 #define HANDLER(name)                                                                           \
   const Instr* slow_##name(const Instr* at, [[maybe_unused]] Slot* f, [[maybe_unused]] Slot* g, \
                            [[maybe_unused]] Turn& t)
 #define A (any_reg(f, g, at->a))
 #define B (any_reg(f, g, at->b))
 #define C (any_reg(f, g, at->c))
-
-double plain(double x) { return x == x ? x : 0; }
-
-}  // namespace
 
 double slow_mod(double a, double b) {
   const double r = modulo(a, b);
@@ -48,11 +43,11 @@ HANDLER(random) {
 }
 
 HANDLER(less) {
-  A.n = less_numbers(B.n, C.n) ? 1 : 0;
+  A.n = less_numbers(behind_digits(B.n), behind_digits(C.n)) ? 1 : 0;
   return at + 1;
 }
 HANDLER(equal) {
-  A.n = equal_numbers(B.n, C.n) ? 1 : 0;
+  A.n = equal_numbers(behind_digits(B.n), behind_digits(C.n)) ? 1 : 0;
   return at + 1;
 }
 HANDLER(both) {
@@ -82,6 +77,15 @@ HANDLER(box_t) {
 }
 HANDLER(box_digits) {
   A.v = make_text(t.machine->heap, number_to_string(B.n));
+  return at + 1;
+}
+HANDLER(box_mixed) {
+  const double x = B.n;
+  A.v = is_digits(x) ? make_text(t.machine->heap, number_to_string(behind_digits(x))) : Value(x);
+  return at + 1;
+}
+HANDLER(digits) {
+  A.n = digits_of(B.n);
   return at + 1;
 }
 HANDLER(copy) {

@@ -1,20 +1,21 @@
 #include "vm/list.h"
 
+#include "vm/digits.h"
 #include "vm/numbers.h"
 
 namespace mirada::vm {
 
 Value List::at(Heap& heap, std::size_t i) const {
   if (!bare) return values[i];
-  return digits ? make_text(heap, number_to_string(numbers[i])) : Value(numbers[i]);
+  const bool text = digits || is_digits(numbers[i]);
+  return text ? make_text(heap, number_to_string(behind_digits(numbers[i]))) : Value(numbers[i]);
 }
 
-namespace {
-
 /// A bare list only ever gets numbers, or texts that print as one.
-double bare_number(const Value& value) { return value.is_number() ? value.number() : to_number(value); }
-
-}  // namespace
+double List::bare_number(const Value& value) const {
+  if (value.is_number()) return value.number();
+  return mixed ? digits_of(to_number(value)) : to_number(value);
+}
 
 void List::add(const Value& value) {
   if (size() >= kMaxItems) return;

@@ -12,6 +12,7 @@ struct List {
 
   bool bare = false;
   bool digits = false;  ///< bare numbers that are texts to whoever looks
+  bool mixed = false;   ///< bare, and some of them texts: vm/digits.h
   std::vector<double> numbers;
   std::vector<Value> values;
 
@@ -22,6 +23,9 @@ struct List {
   void insert(std::size_t i, const Value& value);
   void erase(std::size_t i);
   void clear();
+
+ private:
+  double bare_number(const Value& value) const;
 };
 
 /// Where an index block points: 1-based, 0 = nowhere. `extra` 1 allows the place behind the end (insert).

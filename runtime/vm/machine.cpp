@@ -22,6 +22,7 @@ Machine::Impl::Impl(std::shared_ptr<const Code> program, const BlockCatalog& blo
     List& list = lists.emplace_back();
     list.bare = info.numbers;
     list.digits = info.digits;
+    list.mixed = info.mixed;
     for (const GlobalInit& item : info.initial) {
       list.add(initial_value(item));
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include "vm/digits.h"
 #include "vm/machine_impl.h"
 #include "vm/messages.h"
 #include "vm/numbers.h"
@@ -21,8 +22,8 @@ MonitorValue shown(const Value& value) {
 }
 
 MonitorValue shown_number(double number, bool digits) {
-  MonitorValue out = shown(Value(number));
-  out.is_number = !digits;
+  MonitorValue out = shown(Value(behind_digits(number)));
+  out.is_number = !digits && !is_digits(number);
   return out;
 }
 

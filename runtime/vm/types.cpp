@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "vm/digits.h"
 #include "vm/literal.h"
 
 namespace mirada::vm {
@@ -53,7 +54,6 @@ void TypeTable::find_tops() {
 void TypeTable::find_definitions() {
   for (std::size_t i = 0; i < program_.blocks.size(); ++i) {
     const Block& block = program_.blocks[i];
-    keep_single_digits_ = keep_single_digits_ || block.opcode == "data_listcontents";
     if (block.opcode != "procedures_definition" || block.signature < 0 || block.disabled) continue;
     const Signature& signature = program_.signatures[static_cast<std::size_t>(block.signature)];
     const auto number = static_cast<int>(definitions_.size());
@@ -89,19 +89,16 @@ void TypeTable::seed() {
       for (const Field& item : variable.initial_items) {
         types |= type_of(item);
       }
-    } else if (variable.initial.is_truth || !is_canonical_number(variable.initial.value)) {
+    } else {
       types = type_of(variable.initial);
     }
     variables_.push_back(types);
   }
 }
 
-Types TypeTable::literal(const Block& block) const {
+Types TypeTable::literal(const Block& block) {
   const Field* field = literal_field(block);
-  if (!field) return type::text;
-  if (field->is_number) return type::number;
-  if (!is_canonical_number(field->value)) return type::text;
-  return keep_single_digits_ && field->value.size() == 1 ? type::text : type::digits;
+  return field ? type_of(*field) : type::text;
 }
 
 Types TypeTable::of_input(const Block& block, std::string_view name) const {

@@ -20,6 +20,8 @@ constexpr Types any = 15;
 }  // namespace type
 
 constexpr bool is_bare(Types t) { return (t & ~(type::number | type::digits)) == 0; }
+/// Bare, and some of it texts: vm/digits.h.
+constexpr bool is_mixed(Types t) { return t == (type::number | type::digits); }
 
 /// The program's my-blocks, variables and lists, and what each can hold: found by going over all assignments
 /// until nothing is new. A block's own parts are looked up here by the compiler too.
@@ -57,11 +59,10 @@ class TypeTable {
   bool visit(BlockIndex index);
   bool visit_call(const Block& block);
   bool falls_through(BlockIndex first) const;
-  Types literal(const Block& block) const;
+  static Types literal(const Block& block);
 
   const Program& program_;
   const std::vector<bool>& runs_;
-  bool keep_single_digits_ = false;
   std::vector<BlockIndex> top_of_;
   std::vector<BlockIndex> definitions_;
   std::map<std::pair<std::string, int>, int> definition_ids_;

@@ -21,12 +21,16 @@ class QuietHost final : public Host {
   Random chance{1, "program"};
 };
 
-// A text that some number prints as may be kept as that number, so the two are not told apart.
 std::string kind_and_text(const Value& value) {
-  return (std::holds_alternative<bool>(value) ? "truth " : "") + to_text(value);
+  const char* kind = std::holds_alternative<bool>(value)          ? "truth "
+                     : std::holds_alternative<std::string>(value) ? "text "
+                                                                  : "number ";
+  return kind + to_text(value);
 }
 
-std::string kind_and_text(const MonitorValue& value) { return (value.is_truth ? "truth " : "") + value.text; }
+std::string kind_and_text(const MonitorValue& value) {
+  return (value.is_truth ? "truth " : value.is_number ? "number " : "text ") + value.text;
+}
 
 /// Ticks until every script has ended; false when that takes too long.
 bool finish(Machine& machine, QuietHost& host) {
