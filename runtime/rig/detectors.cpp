@@ -14,16 +14,17 @@ namespace {
 /// Opens the finder once; its fault, if any, is every answer.
 class LazyFaceFinder {
  public:
-  explicit LazyFaceFinder(RobotConfig robot) : robot_(std::move(robot)) {}
+  LazyFaceFinder(RobotConfig robot, std::string model) : robot_(std::move(robot)), model_(std::move(model)) {}
 
   Result<FacesPercept> find(const Frame& frame, const NeckAngles& neck) {
-    if (!finder_) finder_.emplace(vision::FaceFinder::open(robot_));
+    if (!finder_) finder_.emplace(vision::FaceFinder::open(robot_, model_));
     if (!*finder_) return finder_->faults();
     return finder_->value()->find(frame, neck);
   }
 
  private:
   RobotConfig robot_;
+  std::string model_;
   std::optional<Result<std::unique_ptr<vision::FaceFinder>>> finder_;
 };
 
@@ -57,9 +58,9 @@ class ThingFinder {
 
 }  // namespace
 
-robot::Detectors make_detectors(const RobotConfig& robot) {
+robot::Detectors make_detectors(const RobotConfig& robot, const std::string& face_model) {
   const auto sonar = std::make_shared<vision::VisualSonar>(robot);
-  const auto faces = std::make_shared<LazyFaceFinder>(robot);
+  const auto faces = std::make_shared<LazyFaceFinder>(robot, face_model);
   const auto things = std::make_shared<ThingFinder>(robot);
   robot::Detectors out;
   out.sonar = [sonar](const Frame& frame, const NeckAngles& neck, const Pose2& X_OR) {

@@ -25,9 +25,10 @@ using Tell = std::function<void(const Fault&)>;
 struct LiveParts {
   session::Setup setup;
   world::WorldConfig world;
-  RobotConfig robot;   ///< what is believed of it
-  RobotConfig body;    ///< what the simulation makes of it: as its file says, whatever was measured since
-  std::string camera;  ///< "" = the simulated one
+  RobotConfig robot;       ///< what is believed of it
+  RobotConfig body;        ///< what the simulation makes of it: as its file says, whatever was measured since
+  std::string camera;      ///< "" = the simulated one
+  std::string face_model;  ///< "" = the one that was fetched, or none
   std::uint64_t runs_before = 0;
   Faults notes;  ///< what is odd about these files, in words
   Tell tell;     ///< hears what the start-up check found; may be empty

@@ -17,8 +17,10 @@ constexpr Micros kLongestSleep = 50 * kMillisecond;
 
 }  // namespace
 
-LiveStation::LiveStation(std::unique_ptr<LiveRobot> robot, std::string camera, Tell tell)
+LiveStation::LiveStation(std::unique_ptr<LiveRobot> robot, std::string camera, std::string face_model,
+                         Tell tell)
     : camera_(std::move(camera)),
+      face_model_(std::move(face_model)),
       tell_(std::move(tell)),
       robot_(std::move(robot)),
       control_([this] { control_loop(); }),
@@ -132,6 +134,7 @@ Status LiveStation::rebuild(const session::Setup& setup) {
   stop(session::StopReason::put_back);
   parts->runs_before = telemetry()->run;
   parts->tell = tell_;
+  parts->face_model = face_model_;
   auto built = LiveRobot::build(*parts);
   if (!built) return built.faults();
   std::shared_ptr<LiveRobot> next = std::move(*built);

@@ -18,7 +18,7 @@ namespace mirada::rig {
 class LiveStation final : public session::Station {
  public:
   /// `camera` and `tell` do not change with choose().
-  LiveStation(std::unique_ptr<LiveRobot> robot, std::string camera, Tell tell);
+  LiveStation(std::unique_ptr<LiveRobot> robot, std::string camera, std::string face_model, Tell tell);
   ~LiveStation() override;
 
   Result<session::Started> start(const std::string& program_json) override;
@@ -61,6 +61,7 @@ class LiveStation final : public session::Station {
   Status rebuild(const session::Setup& setup);
 
   const std::string camera_;
+  const std::string face_model_;
   const Tell tell_;
   PictureEncoder encoder_;
   mutable std::mutex robot_mutex_;  // the pointer

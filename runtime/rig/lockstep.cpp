@@ -58,8 +58,8 @@ class Lockstep {
   explicit Lockstep(const LockstepOptions& options)
       : options_(options),
         body_(options),
-        robot_(options.robot, body_.devices(), make_detectors(options.robot), robot::Timing::simulated,
-               clock_, clock_),
+        robot_(options.robot, body_.devices(), make_detectors(options.robot, options.face_model),
+               robot::Timing::simulated, clock_, clock_),
         link_(std::make_shared<blocks::Link>()),
         packs_(shipped_packs(link_)),
         session_(robot_, packs_.catalog, session_options(options)) {

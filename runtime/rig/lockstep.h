@@ -16,6 +16,7 @@ struct LockstepOptions {
   RobotConfig robot;
   std::uint64_t seed = 1;
   double seconds = 60;
+  std::string face_model;  ///< a network's file; "" = the one that was fetched, or none
   vm::Limits limits;
   std::function<bool()> stop_asked;  ///< looked at once a tick; may be empty
   /// Called after each world step with the truth (not without a world); may be empty.

@@ -5,6 +5,7 @@
 #include "rig/live_station.h"
 #include "rig/messages.h"
 #include "rig/setup_reader.h"
+#include "vision/face_finder.h"
 
 namespace mirada::rig {
 
@@ -16,7 +17,11 @@ Result<std::unique_ptr<session::Station>> make_station(const StationOptions& opt
   auto parts = read_setup(setup, options.camera);
   if (!parts) return parts.faults();
   const Tell tell = [lang = options.lang](const Fault& word) { std::cerr << word.text(lang) << std::endl; };
+  parts->face_model = options.face_model;
+  const auto faces = vision::check_face_model(options.face_model);
+  if (!faces) return faces.faults();
   for (const Fault& note : parts->notes) tell(note);
+  if (const auto fallback = vision::face_fallback(options.face_model)) tell(*fallback);
   parts->tell = tell;
   auto robot = LiveRobot::build(*parts);
   if (!robot) return robot.faults();
@@ -24,7 +29,7 @@ Result<std::unique_ptr<session::Station>> make_station(const StationOptions& opt
     std::cerr << format(messages::camera_from_outside, {{"camera", options.camera}}, options.lang) << "\n";
   }
   return std::unique_ptr<session::Station>(
-      std::make_unique<LiveStation>(std::move(*robot), options.camera, tell));
+      std::make_unique<LiveStation>(std::move(*robot), options.camera, options.face_model, tell));
 }
 
 }  // namespace mirada::rig

@@ -19,7 +19,8 @@ struct StationOptions {
   std::string world;  ///< id or file of a room; "" = the first that ships
   std::string robot;  ///< id or file of a robot; "" = the first that ships
   std::uint64_t seed = 1;
-  std::string camera;  ///< "" = the simulated one; "v4l2:0", or a picture or video file
+  std::string camera;      ///< "" = the simulated one; "v4l2:0", or a picture or video file
+  std::string face_model;  ///< a network's file; "" = the one that was fetched, or none
   Lang lang = Lang::en;
   std::shared_ptr<const packs::PackSet> packs;  ///< never null
 };

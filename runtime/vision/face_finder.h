@@ -1,5 +1,7 @@
 #pragma once
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "base/result.h"
 #include "model/frame.h"
@@ -8,13 +10,21 @@
 
 namespace mirada::vision {
 
-/// Finds faces in one picture with Debian's Haar cascade. One thread.
+/// Finds faces in one picture: with a network, or with Debian's Haar cascade where there is none. One thread.
 class FaceFinder {
  public:
-  /// Fault in words when the cascade's file is missing (package opencv-data).
-  static Result<std::unique_ptr<FaceFinder>> open(const RobotConfig& robot);
+  /// `model`: a network's file, which must be one; "" = the one that scripts/run fetches, and without it the
+  /// cascade. Fault in words when there is nothing to look with.
+  static Result<std::unique_ptr<FaceFinder>> open(const RobotConfig& robot, const std::string& model = "");
   virtual ~FaceFinder() = default;
   virtual FacesPercept find(const Frame& frame, const NeckAngles& neck) = 0;
+  /// Said when the plain cascade is used because there is no network.
+  virtual const std::optional<Fault>& fallback() const = 0;
 };
+
+/// A fault when this is meant to be a network's file and is none.
+Status check_face_model(const std::string& model);
+/// What fallback() will say, before anything is opened; nothing when a network's file is there.
+std::optional<Fault> face_fallback(const std::string& model);
 
 }  // namespace mirada::vision

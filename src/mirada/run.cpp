@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "commands.h"
 #include "rig/lockstep.h"
+#include "vision/face_finder.h"
 
 namespace mirada {
 namespace {
@@ -26,6 +27,7 @@ struct RunArguments {
   double seconds = 60;
   std::string report;
   std::string lang = "en";
+  std::string face_model;
 
   Lang language() const { return lang == "es" ? Lang::es : Lang::en; }
 };
@@ -36,13 +38,15 @@ Result<rig::LockstepOptions> read_options(const RunArguments& arguments) {
   options.seed = arguments.seed;
   options.seconds = arguments.seconds;
   options.stop_asked = [] { return stop_asked.load(); };
+  options.face_model = arguments.face_model;
   Faults faults;
+  if (const auto model = vision::check_face_model(arguments.face_model); !model) faults = model.faults();
   if (arguments.world != "none") {
     auto world = world::world_by_name(arguments.world);
     if (world) {
       options.world = std::move(*world);
     } else {
-      faults = world.faults();
+      faults.insert(faults.end(), world.faults().begin(), world.faults().end());
     }
   }
   auto robot = robot_by_name(arguments.robot);
@@ -106,6 +110,9 @@ void add_run(Commands& commands) {
   sub->add_option("--world", arguments->world, "A room: id or file; none = no room, no pictures")
       ->capture_default_str();
   sub->add_option("--robot", arguments->robot, "A robot: id or file")->capture_default_str();
+  sub->add_option("--model", arguments->face_model,
+                  "A face network of your own (ONNX, in the shape of UltraFace); without it the one that "
+                  "scripts/run fetched, else the plain way (Haar)");
   sub->add_option("--seed", arguments->seed, "The same seed, the same run")->capture_default_str();
   sub->add_option("--seconds", arguments->seconds, "Longest run, in simulated seconds")
       ->check(CLI::Range(0.001, kLongest_s))

@@ -32,6 +32,7 @@ struct SeeOptions {
   std::string floor = "learnt";
   std::string overlay;
   std::string lang = "en";
+  std::string face_model;
 };
 
 /// All that looking needs, opened and checked before the first picture is looked at.
@@ -70,8 +71,9 @@ Result<SeeJob> open_job(const SeeOptions& options) {
     faults.push_back(make_fault("--overlay", messages::see_overlay_type, {{"file", options.overlay}}));
   }
   if (!options.no_faces && faults.empty()) {
-    auto faces = vision::FaceFinder::open(job.robot);
+    auto faces = vision::FaceFinder::open(job.robot, options.face_model);
     if (faces) {
+      if (const auto& fallback = (*faces)->fallback()) job.warnings.push_back(*fallback);
       job.faces = std::move(*faces);
     } else {
       append(faults, faces.faults());
@@ -172,6 +174,9 @@ void add_see(Commands& commands) {
                   "Draw what was seen to this .png or .jpg (numbered when there are more)");
   app->add_flag("--no-faces", options->no_faces, "Do not look for faces");
   app->add_flag("--lines-are-obstacles", options->lines_are_obstacles, "A painted line ends the free floor");
+  app->add_option("--model", options->face_model,
+                  "A face network of your own (ONNX, in the shape of UltraFace); without it the one that "
+                  "scripts/run fetched, else the plain way (Haar)");
   app->add_option("--floor", options->floor,
                   "How the floor is told: learnt, or the paper's fixed-colour border")
       ->check(CLI::IsMember({"learnt", "fixed-colour"}))

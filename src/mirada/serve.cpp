@@ -25,6 +25,7 @@ struct ServeOptions {
   std::uint64_t seed = 1;
   std::string lang = "en";
   std::string ui;
+  std::string face_model;
 };
 
 /// The signals that end the program, blocked in this thread and all that it starts, so that they can be
@@ -60,7 +61,8 @@ int serve(const ServeOptions& options) {
   const sigset_t signals = hold_signals();
   const auto packs = rig::load_shipped_packs();
   warn(packs->faults, lang);
-  auto station = rig::make_station({options.world, options.robot, options.seed, options.camera, lang, packs});
+  auto station = rig::make_station(
+      {options.world, options.robot, options.seed, options.camera, options.face_model, lang, packs});
   if (!station.ok()) return complain(station.faults(), lang);
 
   Faults example_faults;
@@ -104,6 +106,9 @@ void add_serve(Commands& commands) {
   command->add_option("--lang", options->lang, "First language")
       ->check(CLI::IsMember(std::vector<std::string>{"en", "es"}))
       ->capture_default_str();
+  command->add_option("--model", options->face_model,
+                      "A face network of your own (ONNX, in the shape of UltraFace); without it the one that "
+                      "scripts/run fetched, else the plain way (Haar)");
   command->add_option("--ui", options->ui, "Folder of the built editor");
   command->callback([&commands, options] { commands.exit_code = serve(*options); });
 }

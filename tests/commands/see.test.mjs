@@ -45,3 +45,24 @@ test('what is no picture, what is missing and a robot with faults are said at on
     /hfov_deg/,
   );
 });
+
+const model = shipped('build/models/faces.onnx');
+const players = join(photographs, 'basketball1.png');
+
+test('faces come with their box in source pixels', { skip: !existsSync(model) && 'the model was not fetched' }, () => {
+  const answer = mirada(['see', players, '--robot', 'mirada-sim', '--json']);
+  assert.equal(answer.status, 0, answer.err);
+  const report = JSON.parse(answer.out);
+  fits(report, 'see');
+  const there = report.faces.find(({ x, y, w, h }) => x < 88 && x + w > 88 && y < 113 && y + h > 113);
+  assert.ok(there && there.w > 25 && there.w < 60 && there.h > 30 && there.h < 70, JSON.stringify(report.faces));
+  assert.equal(there.detector, 'ultraface');
+  const own = mirada(['see', players, '--robot', 'mirada-sim', '--json', '--model', model]);
+  assert.deepEqual(JSON.parse(own.out).faces, report.faces);
+});
+
+test('a model that is none is said so', () => {
+  const see = (path) => mirada(['see', players, '--robot', 'mirada-sim', '--json', '--model', path]);
+  refused(see(file('model.onnx', 'no network')), /model\.onnx is no face model/);
+  refused(see('/nowhere/model.onnx'), /can't find the face model/);
+});

@@ -65,6 +65,9 @@ export const en = {
   no_scene: 'A real robot: only you see the room.',
   show_boundary: 'Floor’s edge',
   show_faces: 'Faces',
+  show_faces_plain: 'Faces (plain)',
+  faces_plain:
+    'I look for faces in the plain way (Haar). Start me with scripts/run while there is internet, and I get the better face model.',
   nearest: 'nearest {cm} cm',
   not_trusted: 'I can’t see the floor here. Tilt the camera down a little.',
   camera_missing: 'There is no camera. Plug it in: I keep looking for it.',

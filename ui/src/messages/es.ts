@@ -66,6 +66,9 @@ export const es: Record<MessageKey, string> = {
   no_scene: 'Un robot de verdad: la sala solo la ves tú.',
   show_boundary: 'Borde del suelo',
   show_faces: 'Caras',
+  show_faces_plain: 'Caras (sencillo)',
+  faces_plain:
+    'Busco caras de la manera sencilla (Haar). Arráncame con scripts/run cuando haya internet y tendré el modelo de caras mejor.',
   nearest: 'lo más cerca: {cm} cm',
   not_trusted: 'Aquí no veo el suelo. Inclina la cámara un poco hacia abajo.',
   camera_missing: 'No hay ninguna cámara. Conéctala: la sigo buscando.',

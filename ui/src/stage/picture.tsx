@@ -53,6 +53,7 @@ export function Picture() {
   const ratio = useComputed(() =>
     picture.value ? picture.value.header.width / picture.value.header.height : 4 / 3,
   );
+  const plainFaces = useComputed(() => telemetry.value?.faces?.detector === 'haar');
   useSignalEffect(() => {
     if (ref.current) draw(ref.current);
   });
@@ -74,9 +75,10 @@ export function Picture() {
           class="chip"
           aria-pressed={panels.value.faces}
           style={{ '--hue': hueOf('faces') }}
+          title={plainFaces.value ? t('faces_plain') : undefined}
           onClick={() => togglePanel('faces')}
         >
-          {t('show_faces')}
+          {plainFaces.value ? t('show_faces_plain') : t('show_faces')}
         </button>
       </header>
       <div
