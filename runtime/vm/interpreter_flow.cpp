@@ -212,7 +212,7 @@ HANDLER(take_v) {
 
 HANDLER(stop_all) {
   t.fuel -= at->executions;
-  t.machine->stop_all();
+  t.machine->stop_all_by_block();
   return end_turn(t, at, block_at(t, at), Exit::ended);
 }
 

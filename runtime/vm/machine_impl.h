@@ -71,6 +71,7 @@ struct Machine::Impl {
   void release_waiters(Thread& thread);
   void disturb();
   void stop_all();
+  void stop_all_by_block();
   void stop_others(Thread& keep);
   std::vector<Thread*> broadcast(const std::string& name);
   void join(Thread& thread, const std::vector<Thread*>& started);
@@ -140,6 +141,7 @@ struct Machine::Impl {
   std::uint64_t pass_number = 0;
   std::size_t pass_index = 0;  ///< the thread whose turn it is; kept when a tick ends within a pass
   bool pass_open = false;
+  std::size_t doomed = 0;  ///< threads before this place go when the pass is over (Scratch's "stop all")
   bool pass_moved = false;  ///< somebody did more in this pass than look at a condition
   std::size_t pass_turns = 0;
   bool only_one = false;  ///< the last pass had one turn and nobody else became ready

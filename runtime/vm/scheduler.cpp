@@ -62,7 +62,7 @@ bool Machine::Impl::run_pass() {
     disturbed = false;
     if (ticking_back_to_back) wake_sleepers();
   }
-  while (pass_index < threads.size()) {
+  while (pass_index < (doomed > 0 ? doomed : threads.size())) {
     Thread& thread = *threads[pass_index];
     if (!mid_turn && !may_run(thread)) {
       ++pass_index;
@@ -158,6 +158,9 @@ Exit Machine::Impl::run_thread(Thread& thread) {
 /// Scripts that have ended leave the list; who waited for them may go on in the next pass.
 void Machine::Impl::close_pass() {
   pass_open = false;
+  for (std::size_t i = 0; i < doomed; ++i) end_thread(*threads[i], ThreadEnd::killed);
+  if (doomed > 0) hold = nullptr;
+  doomed = 0;
   std::size_t kept = 0;
   for (Thread* thread : threads) {
     if (thread->state != ThreadState::done) {

@@ -170,14 +170,39 @@ void Machine::Impl::stop_all() {
   sleepers = {};
   pass_open = false;
   pass_index = 0;
+  doomed = 0;
   mid_turn = false;
   hold = nullptr;
   started = false;
 }
 
+/// In a Scratch project the scripts whose turn in this pass is still to come have it, and what they start
+/// then lives on; clones end at once.
+void Machine::Impl::stop_all_by_block() {
+  if (!code->program.from_scratch) return stop_all();
+  if (doomed == 0) doomed = threads.size();
+  const std::vector<Thread*> fresh(threads.begin() + static_cast<std::ptrdiff_t>(doomed), threads.end());
+  threads.resize(doomed);
+  for (Thread* thread : fresh) end_thread(*thread, ThreadEnd::killed);
+  for (Thread* thread : fresh) drop(*thread);
+  for (std::size_t i = 0; i < doomed; ++i) {
+    Thread& thread = *threads[i];
+    if (i <= pass_index || thread.instance->is_clone) {
+      end_thread(thread, ThreadEnd::killed);
+    } else if (thread.state == ThreadState::joining) {
+      thread.state = ThreadState::ready;  // whom it waits for is in no list any more
+    }
+  }
+  running.clear();
+  delete_clones();
+  hold = nullptr;
+  disturb();
+}
+
 void Machine::Impl::stop_others(Thread& keep) {
-  for (Thread* thread : threads) {
-    if (thread != &keep && thread->instance == keep.instance) end_thread(*thread, ThreadEnd::killed);
+  for (std::size_t i = doomed; i < threads.size(); ++i) {
+    Thread& thread = *threads[i];
+    if (&thread != &keep && thread.instance == keep.instance) end_thread(thread, ThreadEnd::killed);
   }
 }
 
