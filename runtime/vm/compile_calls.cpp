@@ -14,6 +14,7 @@ Operand Compiler::argument(const Block& block, const Parameter& param, Types wan
   if (param.type == ParamType::raw && content(block, param.id) == kNone) {
     return {text_constant(param.fallback), Kind::value, type::text};
   }
+  if (wanted == type::truth) return truth_input(block, param.id);
   return is_bare(wanted) ? bare_input(block, param.id, wanted) : value_input(block, param.id);
 }
 

@@ -259,7 +259,9 @@ void Compiler::give_back(const Block& block) {
   if (definition_ < 0) return end_script();
   const Types types = types_.returned(definition_);
   const bool bare = is_bare(types) || types == type::truth;
-  const Operand value = bare ? bare_input(block, "VALUE", types) : value_input(block, "VALUE");
+  const Operand value = types == type::truth ? truth_input(block, "VALUE")
+                        : bare               ? bare_input(block, "VALUE", types)
+                                             : value_input(block, "VALUE");
   build_->emit_end(bare ? Op::ret_n : Op::ret_v, value.reg);
   build_->free(value);
 }
