@@ -2,9 +2,7 @@
 #include <array>
 #include <cstdint>
 
-#include <opencv2/core.hpp>
-#include <opencv2/core/hal/intrin.hpp>
-
+#include "world/render/lanes.h"
 #include "world/render/scene_view.h"
 
 namespace mirada::world {
@@ -19,76 +17,74 @@ class FloorRow {
   struct Scene {
     explicit Scene(const SceneView& view)
         : r(view.rotation),
+          map(&view.stage->textures[view.stage->floor_texture]),
           per_16(view.stage->floor_texels_per_m * 16),
           u0((view.at_m.x() - view.stage->floor_min_x_m) * per_16),
           v0((view.stage->floor_max_y_m - view.at_m.y()) * per_16),
           height(view.at_m.z()),
           deep(view.pixel_y * per_16),
-          wide(view.pixel_x * per_16) {
-      const Texture& map = view.stage->textures[view.stage->floor_texture];
-      u_high = (map.width() - 65) * 16;
-      v_high = (map.height() - 65) * 16;
-    }
+          wide(view.pixel_x * per_16),
+          u_high((map->width() - 65) * 16),
+          v_high((map->height() - 65) * 16),
+          columns(static_cast<int>(map->width())) {}
     Eigen::Matrix3f r;
+    const Texture* map;
     float per_16, u0, v0, height, deep, wide, u_high, v_high;
+    int columns;
   };
 
   /// Rays (x, y, 1) of the eight; the pixel is filtered by `taps` places along the view, so it counts that
   /// much shorter.
-  void aim(const Scene& s, const float* rx, const float* ry, int taps, const std::uint32_t* dither) {
-    for (int x = 0; x < kPixels; x += 4) aim_four(s, rx + x, ry + x, taps, dither + x, x);
+  MIRADA_LANES void aim(const Scene& s, const float* rx, const float* ry, int taps,
+                        const std::uint32_t* dither) {
+    const auto x = load_lanes<Floats>(rx);
+    const auto y = load_lanes<Floats>(ry);
+    const Floats dx = s.r(0, 0) * x + s.r(0, 1) * y + s.r(0, 2);
+    const Floats dy = s.r(1, 0) * x + s.r(1, 1) * y + s.r(1, 2);
+    const Floats dz = s.r(2, 0) * x + s.r(2, 1) * y + s.r(2, 2);
+    const Floats per_drop = -1 / dz;
+    const Floats t = s.height * per_drop;
+    u_ = s.u0 + t * dx * s.per_16;
+    v_ = s.v0 - t * dy * s.per_16;
+    // How the place moves a pixel further down.
+    const Floats drop = s.r(2, 1) * per_drop;
+    const Floats k = t * s.deep;
+    du_ = k * (s.r(0, 1) + dx * drop);
+    dv_ = k * (-s.r(1, 1) - dy * drop);
+    const float share = 1 / static_cast<float>(taps);
+    const Floats across = t * s.wide;
+    const Floats along2 = (du_ * du_ + dv_ * dv_) * (share * share);
+    choose_level(most(along2, across * across), load_lanes<Ints>(dither));
   }
 
-  /// The places that lie `offset` (-0.5 to 0.5) of a pixel further down the picture.
-  void tap(const Scene& s, float offset) {
-    const cv::v_float32x4 low = cv::v_setall_f32(16 * 64);  // far off a pixel may reach past the floor's map
-    const cv::v_float32x4 by = cv::v_setall_f32(offset);
-    for (int x = 0; x < kPixels; x += 4) {
-      const cv::v_float32x4 u = cv::v_load(&u_[x]) + by * cv::v_load(&du_[x]);
-      const cv::v_float32x4 v = cv::v_load(&v_[x]) + by * cv::v_load(&dv_[x]);
-      cv::v_store(&u16[x], cv::v_trunc(cv::v_min(cv::v_max(u, low), cv::v_setall_f32(s.u_high))));
-      cv::v_store(&v16[x], cv::v_trunc(cv::v_min(cv::v_max(v, low), cv::v_setall_f32(s.v_high))));
+  /// The colours at the places that lie `offset` (-0.5 to 0.5) of a pixel further down the picture: four
+  /// pixels' channels, times 256, each.
+  MIRADA_LANES void look(const Scene& s, float offset, Words& left, Words& right) const {
+    const Floats low = all_lanes(16.0F * 64);  // far off a pixel may reach past the floor's map
+    const Floats u = least(most(u_ + offset * du_, low), all_lanes(s.u_high));
+    const Floats v = least(most(v_ + offset * dv_, low), all_lanes(s.v_high));
+    const Ints x = (__builtin_convertvector(u, Ints) >> level_) - 8;
+    const Ints y = (__builtin_convertvector(v, Ints) >> level_) - 8;
+    const Ints stride = (all_lanes(s.columns) >> level_) + 1;
+    const Ints at = (y >> 4) * stride + (x >> 4);
+    std::array<Texture::Spot, kPixels> spots;
+    for (std::size_t i = 0; i < kPixels; ++i) {
+      const auto lane = static_cast<int>(i);
+      spots[i] = {s.map->halved(level_[lane]) + at[lane], stride[lane], x[lane] & 15, y[lane] & 15};
     }
+    left = Texture::sample_four(spots.data());
+    right = Texture::sample_four(spots.data() + 4);
   }
-
-  int u16[kPixels], v16[kPixels], level[kPixels];
 
  private:
-  void aim_four(const Scene& s, const float* rx, const float* ry, int taps, const std::uint32_t* dither,
-                int at) {
-    const auto all = [](float value) { return cv::v_setall_f32(value); };
-    const cv::v_float32x4 x = cv::v_load(rx);
-    const cv::v_float32x4 y = cv::v_load(ry);
-    const cv::v_float32x4 dx = all(s.r(0, 0)) * x + all(s.r(0, 1)) * y + all(s.r(0, 2));
-    const cv::v_float32x4 dy = all(s.r(1, 0)) * x + all(s.r(1, 1)) * y + all(s.r(1, 2));
-    const cv::v_float32x4 dz = all(s.r(2, 0)) * x + all(s.r(2, 1)) * y + all(s.r(2, 2));
-    const cv::v_float32x4 per_drop = all(-1) / dz;
-    const cv::v_float32x4 t = all(s.height) * per_drop;
-    cv::v_store(&u_[at], all(s.u0) + t * dx * all(s.per_16));
-    cv::v_store(&v_[at], all(s.v0) - t * dy * all(s.per_16));
-    // How the place moves a pixel further down.
-    const cv::v_float32x4 drop = all(s.r(2, 1)) * per_drop;
-    const cv::v_float32x4 k = t * all(s.deep);
-    const cv::v_float32x4 du = k * (all(s.r(0, 1)) + dx * drop);
-    const cv::v_float32x4 dv = k * (all(-s.r(1, 1)) - dy * drop);
-    cv::v_store(&du_[at], du);
-    cv::v_store(&dv_[at], dv);
-    const float share = 1 / static_cast<float>(taps);
-    const cv::v_float32x4 across = t * all(s.wide);
-    const cv::v_float32x4 along2 = (du * du + dv * dv) * all(share * share);
-    choose_level(cv::v_max(along2, across * across), dither, at);
-  }
-
   /// As Texture::level, for a squared footprint in sixteenths of a texel.
-  void choose_level(const cv::v_float32x4& footprint2, const std::uint32_t* dither, int at) {
-    const cv::v_int32x4 bits = cv::v_reinterpret_as_s32(footprint2) - cv::v_setall_s32((127 + 8) << 23);
-    const cv::v_int32x4 dithered = bits + cv::v_reinterpret_as_s32(cv::v_load(dither) << 1);
-    const cv::v_int32x4 index = dithered >> 24;
-    cv::v_store(&level[at],
-                cv::v_min(cv::v_max(index, cv::v_setall_s32(0)), cv::v_setall_s32(Texture::kHalved)));
+  MIRADA_LANES void choose_level(Floats footprint2, Ints dither) {
+    const Ints bits = std::bit_cast<Ints>(footprint2) - ((127 + 8) << 23);
+    level_ = least(most((bits + (dither << 1)) >> 24, all_lanes(0)), all_lanes(Texture::kHalved));
   }
 
-  float u_[kPixels], v_[kPixels], du_[kPixels], dv_[kPixels];
+  Floats u_, v_, du_, dv_;
+  Ints level_;
 };
 
 }  // namespace mirada::world

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 #include <optional>
 
 #include "world/render/finish.h"
 #include "world/render/floor_row.h"
+#include "world/render/hit_row.h"
 #include "world/render/paint_board.h"
 #include "world/render/per_cpu.h"
 #include "world/render/tiles.h"
@@ -46,6 +48,10 @@ struct Renderer::Impl {
 
   /// Eight pixels side by side of which all are floor, or all show one face.
   using Row = std::array<std::uint32_t, kTile>;
+  MIRADA_LANES static Row packed_row(Words left, Words right) {
+    const Bytes halves[2] = {__builtin_convertvector(left, Bytes), __builtin_convertvector(right, Bytes)};
+    return std::bit_cast<Row>(halves);
+  }
 
   void fill_tile(int tx, int ty);
   void fill_tiles();
@@ -74,29 +80,29 @@ struct Renderer::Impl {
 };
 
 MIRADA_INSIDE void Renderer::Impl::mixed_row(std::size_t row, int y, const TileSorter::Tile& tile) {
-  const std::uint16_t* items = sorter.candidates() + tile.first;
-  std::array<SceneView::Hit, kTile> hits;
-  std::size_t floors = 0, alike = 0;
-  for (std::size_t x = 0; x < kTile; ++x) {
-    hits[x] = view.hit(rays.x[row + x], rays.y[row + x], items, tile.count);
-    ids[row + x] = static_cast<std::uint16_t>(hits[x].id);
-    floors += hits[x].id == SceneView::kFloor ? 1 : 0;
-    alike += hits[x].id == hits[0].id ? 1 : 0;
-  }
-  const auto first = static_cast<std::size_t>(hits[0].id - SceneView::kFirstItem);
-  if (alike == kTile && hits[0].id >= SceneView::kFirstItem && first < view.quads.size()) {
-    const Row face = quad_row(row, y, first);
-    std::copy(face.begin(), face.end(), pixels.begin() + static_cast<std::ptrdiff_t>(row));
-    return;
-  }
-  // Eight at once cost about as much as three one by one.
-  const bool at_once = tile.on_floor_map && floors >= 3;
-  const Row ground = at_once ? floor_row(row, y, tile.floor_taps) : Row{};
-  for (std::size_t x = 0; x < kTile; ++x) {
-    pixels[row + x] =
-        at_once && hits[x].id == SceneView::kFloor
-            ? ground[x]
-            : view.colour(hits[x], rays.x[row + x], rays.y[row + x], dither_at(static_cast<int>(x), y));
+  HitRow hits;
+  hits.find(view, rays.x.data() + row, rays.y.data() + row, sorter.candidates() + tile.first, tile.count);
+  for (int x = 0; x < kTile; ++x) ids[row + static_cast<std::size_t>(x)] = static_cast<std::uint16_t>(hits.id(x));
+  for (unsigned left = 0xFF; left != 0;) {
+    const int first = std::countr_zero(left);
+    const unsigned alike = hits.like(first);
+    left &= ~alike;
+    const int id = hits.id(first);
+    const auto item = static_cast<std::size_t>(id - SceneView::kFirstItem);
+    const bool quad = id >= SceneView::kFirstItem && item < view.quads.size();
+    // Eight at once cost about as much as two one by one.
+    if (std::popcount(alike) >= 2 && (quad || (id == SceneView::kFloor && tile.on_floor_map))) {
+      const Row colours = quad ? quad_row(row, y, item) : floor_row(row, y, tile.floor_taps);
+      for (std::size_t x = 0; x < kTile; ++x) {
+        if ((alike >> x & 1) != 0) pixels[row + x] = colours[x];
+      }
+      continue;
+    }
+    for (unsigned rest = alike; rest != 0; rest &= rest - 1) {
+      const int x = std::countr_zero(rest);
+      const std::size_t i = row + static_cast<std::size_t>(x);
+      pixels[i] = view.colour(hits.hit(x), rays.x[i], rays.y[i], dither_at(x, y));
+    }
   }
 }
 
@@ -105,21 +111,22 @@ MIRADA_INSIDE void Renderer::Impl::mixed_tile(std::size_t start, const TileSorte
 }
 
 MIRADA_INSIDE Renderer::Impl::Row Renderer::Impl::floor_row(std::size_t row, int y, int taps) const {
-  const Texture& texture = stage.textures[stage.floor_texture];
-  const auto part = static_cast<std::uint32_t>(256 / taps);
   FloorRow line;
   line.aim(*floor, rays.x.data() + row, rays.y.data() + row, taps,
            kDither[static_cast<std::size_t>(y & 3)].data());
-  std::array<Lanes, kTile> sum{};
-  for (int i = 0; i < taps; ++i) {
-    line.tap(*floor, (static_cast<float>(i) + 0.5F) / static_cast<float>(taps) - 0.5F);
-    for (std::size_t x = 0; x < kTile; ++x) {
-      sum[x] += texture.sample_halved(line.level[x], line.u16[x], line.v16[x]) >> 8 & kLaneBytes;
-    }
+  Words left, right;
+  if (taps == 1) {
+    line.look(*floor, 0, left, right);
+    return packed_row(left >> 8, right >> 8);
   }
-  Row out;
-  for (std::size_t x = 0; x < kTile; ++x) out[x] = packed(sum[x] * part);
-  return out;
+  Words left_sum{}, right_sum{};
+  for (int i = 0; i < taps; ++i) {
+    line.look(*floor, (static_cast<float>(i) + 0.5F) / static_cast<float>(taps) - 0.5F, left, right);
+    left_sum += left >> 8;
+    right_sum += right >> 8;
+  }
+  const auto part = static_cast<std::uint16_t>(256 / taps);
+  return packed_row(left_sum * part >> 8, right_sum * part >> 8);
 }
 
 MIRADA_INSIDE void Renderer::Impl::floor_tile(std::size_t start, const TileSorter::Tile& tile) {
@@ -149,12 +156,12 @@ MIRADA_INSIDE Renderer::Impl::Row Renderer::Impl::quad_row(std::size_t row, int 
     const float stretch = -(1 + (rx[x] * rx[x] + ry[x] * ry[x]) / 2) / facing;
     footprint2[x] = across * across * (stretch < 9 ? stretch : 9.0F);
   }
-  Row out;
+  std::array<Texture::Spot, kTile> spots;
   for (std::size_t x = 0; x < kTile; ++x) {
     const Texture::Level& level = texture.level(footprint2[x], dither_at(static_cast<int>(x), y));
-    out[x] = packed(Texture::sample(level, u[x], v[x]));
+    spots[x] = Texture::spot(level, u[x], v[x]);
   }
-  return out;
+  return packed_row(Texture::sample_four(spots.data()) >> 8, Texture::sample_four(spots.data() + 4) >> 8);
 }
 
 MIRADA_INSIDE void Renderer::Impl::quad_tile(std::size_t start, const TileSorter::Tile& tile) {
@@ -211,7 +218,7 @@ bool Renderer::Impl::on_edge(std::size_t i, int x, int y) const {
          (y + 1 < rays.height && ids[i + static_cast<std::size_t>(rays.stride)] != id);
 }
 
-std::uint32_t Renderer::Impl::resampled(int x, int y) const {
+MIRADA_INSIDE std::uint32_t Renderer::Impl::resampled(int x, int y) const {
   const TileSorter::Tile& tile =
       sorter.tiles()[static_cast<std::size_t>((y / kTile) * rays.tiles_x + x / kTile)];
   const std::uint16_t* items = sorter.candidates() + tile.first;
@@ -223,14 +230,19 @@ std::uint32_t Renderer::Impl::resampled(int x, int y) const {
   const std::size_t down = y + 1 < rays.height ? i + static_cast<std::size_t>(rays.stride) : i;
   const float wide = 1.0F / static_cast<float>(std::max<std::size_t>(right - left, 1));
   const float deep = up != i && down != i ? 0.5F : 1.0F;
-  Lanes sum = 0;
-  for (const auto& [sx, sy] : kSamples) {
-    const float rx =
+  std::array<float, HitRow::kRays> rx, ry;
+  for (std::size_t k = 0; k < HitRow::kRays; ++k) {
+    const auto& [sx, sy] = kSamples[k % kSamples.size()];
+    rx[k] =
         rays.x[i] + sx * wide * (rays.x[right] - rays.x[left]) + sy * deep * (rays.x[down] - rays.x[up]);
-    const float ry =
+    ry[k] =
         rays.y[i] + sx * wide * (rays.y[right] - rays.y[left]) + sy * deep * (rays.y[down] - rays.y[up]);
-    sum += spread(view.colour(view.hit(rx, ry, items, tile.count), rx, ry, kMiddleDither));
   }
+  HitRow hits;
+  hits.find(view, rx.data(), ry.data(), items, tile.count);
+  Lanes sum = 0;
+  for (std::size_t k = 0; k < kSamples.size(); ++k)
+    sum += spread(view.colour(hits.hit(static_cast<int>(k)), rx[k], ry[k], kMiddleDither));
   return packed(sum * 64);
 }
 
@@ -246,7 +258,7 @@ bool Renderer::Impl::four_alike(std::size_t i) const {
          0;
 }
 
-void Renderer::Impl::smooth_edges() {
+MIRADA_PER_CPU void Renderer::Impl::smooth_edges() {
   for (int y = 0; y < rays.height; ++y) {
     for (int x = 0; x < rays.width; x += 4) {
       const std::size_t i = at(x, y);

@@ -9,7 +9,6 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr float kNearest = 0.005F;
 constexpr float kTau = 2 * std::numbers::pi_v<float>;
 
 }  // namespace

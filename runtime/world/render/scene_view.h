@@ -28,6 +28,7 @@ class SceneView {
   static constexpr int kSky = 0;
   static constexpr int kFloor = 1;
   static constexpr int kFirstItem = 2;
+  static constexpr float kNearest = 0.005F;  ///< what is nearer to the lens is not seen
 
   explicit SceneView(const Stage& stage);
 

@@ -45,6 +45,7 @@ Texture::Texture(const cv::Mat& bgr8)
     double_edges(levels_.back().memory);
     picture = half;
   }
+  for (std::size_t i = 0; i < halved_.size() && i < levels_.size(); ++i) halved_[i] = levels_[i].texels;
 }
 
 }  // namespace mirada::world

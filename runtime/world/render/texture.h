@@ -1,11 +1,13 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <vector>
 
 #include <opencv2/core.hpp>
-#include <opencv2/core/hal/intrin.hpp>
+
+#include "world/render/lanes.h"
 
 namespace mirada::world {
 
@@ -52,57 +54,90 @@ class Texture {
 
   /// The colour at x, y in texels of level 0, whose first texel's middle is at 0.5, 0.5. Edges are clamped.
   static Lanes sample(const Level& level, float x, float y) {
+    const Spot at = spot(level, x, y);
+    const auto right = static_cast<Lanes>(at.right);
+    const auto down = static_cast<Lanes>(at.down);
+    // Downwards first: four lanes of a texel stay below 2^12, and below 2^16 when weighed sideways.
+    const auto column = [&](std::ptrdiff_t beside) {
+      return spread(at.above[beside]) * (16 - down) + spread(at.above[beside + at.stride]) * down;
+    };
+    return column(0) * (16 - right) + column(1) * right;
+  }
+
+  /// Where a pixel's colour is taken: the upper left of the four texels about it, its level's row length, and
+  /// how far it lies between them, in sixteenths.
+  struct Spot {
+    const std::uint32_t* above;
+    int stride;
+    int right, down;
+  };
+
+  /// The spot at x, y in texels of level 0, as sample() takes it.
+  static Spot spot(const Level& level, float x, float y) {
     const float xs = x * level.scale_x - 8;
     const float ys = y * level.scale_y - 8;
-    return at_sixteenths(level, static_cast<int>(std::min(std::max(xs, 0.0F), level.most_x)),
-                         static_cast<int>(std::min(std::max(ys, 0.0F), level.most_y)));
+    return spot_at(level, static_cast<int>(std::min(std::max(xs, 0.0F), level.most_x)),
+                   static_cast<int>(std::min(std::max(ys, 0.0F), level.most_y)));
+  }
+
+  /// Four spots' channels, each times 256.
+  MIRADA_LANES static Words sample_four(const Spot* spots) {
+    const Words even = weighed(spots[0], spots[2]);
+    const Words odd = weighed(spots[1], spots[3]);
+    return __builtin_shufflevector(even, odd, 0, 1, 2, 3, 16, 17, 18, 19, 8, 9, 10, 11, 24, 25, 26, 27) +
+           __builtin_shufflevector(even, odd, 4, 5, 6, 7, 20, 21, 22, 23, 12, 13, 14, 15, 28, 29, 30, 31);
   }
 
   /// Levels up to this one are exact halvings, for a size that is a multiple of 64.
   static constexpr int kHalved = 6;
-
-  /// The colour at x, y in sixteenths of a texel of level 0, from a level up to kHalved; at least one of that
-  /// level's texels inside the edges.
-  Lanes sample_halved(int index, int x16, int y16) const {
-    return at_sixteenths(levels_[static_cast<std::size_t>(index)], (x16 >> index) - 8, (y16 >> index) - 8);
-  }
+  /// The first texel of a level up to kHalved; its rows are (width >> index) + 1 long.
+  const std::uint32_t* halved(int index) const { return halved_[static_cast<std::size_t>(index)]; }
 
   float width() const { return width_; }
   float height() const { return height_; }
 
  private:
-  /// Weights by sixteenths: below[f] is f in every lane, beside[f] the left texel's four lanes and the right
-  /// one's.
+  /// Weights by sixteenths, a byte a channel: down[f] is f for both texels of a row; beside[f] the left
+  /// texel's four channels and the right one's.
   struct Weights {
-    std::uint16_t below[17][8];
-    std::uint16_t beside[16][8];
+    std::array<std::uint64_t, 16> down;
+    std::array<std::uint64_t, 16> beside;
   };
   static constexpr Weights make_weights() {
     Weights out{};
-    for (int f = 0; f <= 16; ++f) {
-      for (int lane = 0; lane < 8; ++lane) {
-        out.below[f][lane] = static_cast<std::uint16_t>(f);
-        if (f < 16) out.beside[f][lane] = static_cast<std::uint16_t>(lane < 4 ? 16 - f : f);
-      }
+    for (std::uint64_t f = 0; f < 16; ++f) {
+      out.down[f] = f * 0x0101010101010101ULL;
+      out.beside[f] = (16 - f) * 0x01010101ULL | f * 0x0101010100000000ULL;
     }
     return out;
   }
   static const Weights kWeights;
 
-  /// Two texels side by side are eight lanes; first the rows are blended, then the columns.
-  static Lanes at_sixteenths(const Level& level, int xi, int yi) {
-    const std::uint32_t* above = level.texels + (yi >> 4) * level.stride + (xi >> 4);
-    const cv::v_uint16x8 upper = cv::v_load_expand(reinterpret_cast<const std::uint8_t*>(above));
-    const cv::v_uint16x8 lower =
-        cv::v_load_expand(reinterpret_cast<const std::uint8_t*>(above + level.stride));
-    const int fy = yi & 15;
-    const cv::v_uint16x8 rows = cv::v_add_wrap(cv::v_mul_wrap(upper, cv::v_load(kWeights.below[16 - fy])),
-                                               cv::v_mul_wrap(lower, cv::v_load(kWeights.below[fy])));
-    const cv::v_uint16x8 both = cv::v_mul_wrap(rows, cv::v_load(kWeights.beside[xi & 15]));
-    return cv::v_reinterpret_as_u64(cv::v_add_wrap(both, cv::v_rotate_right<4>(both))).get0();
+  static Spot spot_at(const Level& level, int x16, int y16) {
+    return {level.texels + static_cast<std::ptrdiff_t>(y16 >> 4) * level.stride + (x16 >> 4), level.stride,
+            x16 & 15, y16 & 15};
+  }
+
+  /// Two texels side by side.
+  static std::uint64_t two(const std::uint32_t* texels) {
+    std::uint64_t out;
+    std::memcpy(&out, texels, sizeof out);
+    return out;
+  }
+
+  /// The left and the right texels of two spots, blended downwards and weighed sideways.
+  MIRADA_LANES static Words weighed(const Spot& a, const Spot& b) {
+    const Words upper = widened(two(a.above), two(b.above));
+    const Words lower = widened(two(a.above + a.stride), two(b.above + b.stride));
+    const Words down =
+        widened(kWeights.down[static_cast<std::size_t>(a.down)], kWeights.down[static_cast<std::size_t>(b.down)]);
+    const Words beside = widened(kWeights.beside[static_cast<std::size_t>(a.right)],
+                                 kWeights.beside[static_cast<std::size_t>(b.right)]);
+    return ((upper << 4) + (lower - upper) * down) * beside;
   }
 
   std::vector<Level> levels_;
+  std::array<const std::uint32_t*, kHalved + 1> halved_{};
   float width_ = 0, height_ = 0;
 };
 

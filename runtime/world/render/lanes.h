@@ -1,0 +1,47 @@
+#pragma once
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+#include "world/render/per_cpu.h"
+
+namespace mirada::world {
+
+/// Eight numbers at once, in GCC's and Clang's own vector types: what a CPU cannot do at once is done in
+/// halves. Functions that take or give them are always inlined, since how they are passed depends on the CPU.
+using Floats = float __attribute__((vector_size(32)));
+using Ints = std::int32_t __attribute__((vector_size(32)));
+/// The channels of four pixels, or both neighbours' of two.
+using Words = std::uint16_t __attribute__((vector_size(32)));
+using Bytes = std::uint8_t __attribute__((vector_size(16)));
+#define MIRADA_LANES [[gnu::always_inline]] inline
+
+template <typename Vector, typename Element>
+MIRADA_LANES Vector load_lanes(const Element* from) {
+  Vector out;
+  std::memcpy(&out, from, sizeof out);
+  return out;
+}
+
+MIRADA_LANES Floats all_lanes(float value) {
+  return Floats{value, value, value, value, value, value, value, value};
+}
+MIRADA_LANES Ints all_lanes(std::int32_t value) {
+  return Ints{value, value, value, value, value, value, value, value};
+}
+template <typename Vector>
+MIRADA_LANES Vector least(Vector a, Vector b) {
+  return a < b ? a : b;
+}
+template <typename Vector>
+MIRADA_LANES Vector most(Vector a, Vector b) {
+  return a > b ? a : b;
+}
+
+/// Sixteen bytes, given as two numbers, as words.
+MIRADA_LANES Words widened(std::uint64_t low, std::uint64_t high) {
+  using Halves = std::uint64_t __attribute__((vector_size(16)));
+  return __builtin_convertvector(std::bit_cast<Bytes>(Halves{low, high}), Words);
+}
+
+}  // namespace mirada::world
