@@ -1,5 +1,4 @@
 #pragma once
-#include <array>
 #include <cstdint>
 
 #include "world/render/lanes.h"
@@ -54,7 +53,7 @@ class FloorRow {
     const float share = 1 / static_cast<float>(taps);
     const Floats across = t * s.wide;
     const Floats along2 = (du_ * du_ + dv_ * dv_) * (share * share);
-    choose_level(most(along2, across * across), load_lanes<Ints>(dither));
+    choose_level(s, most(along2, across * across), load_lanes<Ints>(dither));
   }
 
   /// The colours at the places that lie `offset` (-0.5 to 0.5) of a pixel further down the picture: four
@@ -65,26 +64,40 @@ class FloorRow {
     const Floats v = least(most(v_ + offset * dv_, low), all_lanes(s.v_high));
     const Ints x = (__builtin_convertvector(u, Ints) >> level_) - 8;
     const Ints y = (__builtin_convertvector(v, Ints) >> level_) - 8;
-    const Ints stride = (all_lanes(s.columns) >> level_) + 1;
-    const Ints at = (y >> 4) * stride + (x >> 4);
-    std::array<Texture::Spot, kPixels> spots;
-    for (std::size_t i = 0; i < kPixels; ++i) {
-      const auto lane = static_cast<int>(i);
-      spots[i] = {s.map->halved(level_[lane]) + at[lane], stride[lane], x[lane] & 15, y[lane] & 15};
-    }
-    left = Texture::sample_four(spots.data());
-    right = Texture::sample_four(spots.data() + 4);
+    const Ints upper = begin_ + (y >> 4) * stride_ + (x >> 4);
+    const Ints lower = upper + stride_;
+    // Each weight twice in a lane, as two words.
+    const Ints down = (y & 15) * 0x10001;
+    const Ints to_right = (x & 15) * 0x10001;
+    const Ints to_left = 0x100010 - to_right;
+    const std::uint32_t* texels = s.map->texels();
+    left = Texture::added(two<0, 2>(texels, upper, lower, down, to_left, to_right),
+                          two<1, 3>(texels, upper, lower, down, to_left, to_right));
+    right = Texture::added(two<4, 6>(texels, upper, lower, down, to_left, to_right),
+                           two<5, 7>(texels, upper, lower, down, to_left, to_right));
   }
 
  private:
   /// As Texture::level, for a squared footprint in sixteenths of a texel.
-  MIRADA_LANES void choose_level(Floats footprint2, Ints dither) {
+  MIRADA_LANES void choose_level(const Scene& s, Floats footprint2, Ints dither) {
     const Ints bits = std::bit_cast<Ints>(footprint2) - ((127 + 8) << 23);
     level_ = least(most((bits + (dither << 1)) >> 24, all_lanes(0)), all_lanes(Texture::kHalved));
+    stride_ = (all_lanes(s.columns) >> level_) + 1;
+    begin_ = looked_up(s.map->halvings(), level_);
+  }
+
+  template <int a, int b>
+  MIRADA_LANES static Words two(const std::uint32_t* texels, Ints upper, Ints lower, Ints down, Ints to_left,
+                                Ints to_right) {
+    return Texture::weighed(widened(Texture::two(texels + upper[a]), Texture::two(texels + upper[b])),
+                            widened(Texture::two(texels + lower[a]), Texture::two(texels + lower[b])),
+                            std::bit_cast<Words>(__builtin_shufflevector(down, down, a, a, a, a, b, b, b, b)),
+                            std::bit_cast<Words>(__builtin_shufflevector(to_left, to_right, a, a, a + 8, a + 8,
+                                                                         b, b, b + 8, b + 8)));
   }
 
   Floats u_, v_, du_, dv_;
-  Ints level_;
+  Ints level_, stride_, begin_;
 };
 
 }  // namespace mirada::world

@@ -38,6 +38,17 @@ MIRADA_LANES Vector most(Vector a, Vector b) {
   return a > b ? a : b;
 }
 
+/// Of each lane's index, below 8, what the table holds there.
+MIRADA_LANES Ints looked_up(Ints table, Ints index) {
+#ifdef __clang__
+  Ints out;
+  for (int i = 0; i < 8; ++i) out[i] = table[index[i]];
+  return out;
+#else
+  return __builtin_shuffle(table, index);
+#endif
+}
+
 /// Sixteen bytes, given as two numbers, as words.
 MIRADA_LANES Words widened(std::uint64_t low, std::uint64_t high) {
   using Halves = std::uint64_t __attribute__((vector_size(16)));

@@ -37,8 +37,7 @@ class Texture {
   explicit Texture(const cv::Mat& bgr8);
 
   struct Level {
-    cv::Mat memory;                         ///< CV_8UC4; last row and column doubled
-    const std::uint32_t* texels = nullptr;  ///< BGRA in memory, rows of stride
+    const std::uint32_t* texels = nullptr;  ///< BGRA, rows of stride; the last row and column stand twice
     int stride = 0;
     float scale_x = 16, scale_y = 16;  ///< from texels of level 0 to sixteenths of this level's
     float most_x = 0, most_y = 0;      ///< largest coordinate, in sixteenths of a texel
@@ -80,18 +79,35 @@ class Texture {
                    static_cast<int>(std::min(std::max(ys, 0.0F), level.most_y)));
   }
 
-  /// Four spots' channels, each times 256.
-  MIRADA_LANES static Words sample_four(const Spot* spots) {
-    const Words even = weighed(spots[0], spots[2]);
-    const Words odd = weighed(spots[1], spots[3]);
+  /// Two texels side by side.
+  static std::uint64_t two(const std::uint32_t* texels) {
+    std::uint64_t out;
+    std::memcpy(&out, texels, sizeof out);
+    return out;
+  }
+  /// The left and the right texels of two pixels, blended downwards and weighed sideways, from what stands in
+  /// the upper and lower rows and the weights in sixteenths.
+  MIRADA_LANES static Words weighed(Words upper, Words lower, Words down, Words beside) {
+    return ((upper << 4) + (lower - upper) * down) * beside;
+  }
+  /// Left and right added: the channels, times 256, of pixels 0 to 3, from what weighed() gives of 0 and 2 and
+  /// of 1 and 3.
+  MIRADA_LANES static Words added(Words even, Words odd) {
     return __builtin_shufflevector(even, odd, 0, 1, 2, 3, 16, 17, 18, 19, 8, 9, 10, 11, 24, 25, 26, 27) +
            __builtin_shufflevector(even, odd, 4, 5, 6, 7, 20, 21, 22, 23, 12, 13, 14, 15, 28, 29, 30, 31);
   }
 
+  /// Four spots' channels, each times 256.
+  MIRADA_LANES static Words sample_four(const Spot* spots) {
+    return added(of_two(spots[0], spots[2]), of_two(spots[1], spots[3]));
+  }
+
   /// Levels up to this one are exact halvings, for a size that is a multiple of 64.
   static constexpr int kHalved = 6;
-  /// The first texel of a level up to kHalved; its rows are (width >> index) + 1 long.
-  const std::uint32_t* halved(int index) const { return halved_[static_cast<std::size_t>(index)]; }
+  /// The first texel of level 0; the other levels follow it.
+  const std::uint32_t* texels() const { return levels_.front().texels; }
+  /// Where the levels up to kHalved begin, counted from texels(); their rows are (width >> level) + 1 long.
+  MIRADA_LANES Ints halvings() const { return load_lanes<Ints>(halvings_.data()); }
 
   float width() const { return width_; }
   float height() const { return height_; }
@@ -118,26 +134,17 @@ class Texture {
             x16 & 15, y16 & 15};
   }
 
-  /// Two texels side by side.
-  static std::uint64_t two(const std::uint32_t* texels) {
-    std::uint64_t out;
-    std::memcpy(&out, texels, sizeof out);
-    return out;
+  MIRADA_LANES static Words of_two(const Spot& a, const Spot& b) {
+    const auto weights = [](const std::array<std::uint64_t, 16>& of, int first, int second) {
+      return widened(of[static_cast<std::size_t>(first)], of[static_cast<std::size_t>(second)]);
+    };
+    return weighed(widened(two(a.above), two(b.above)), widened(two(a.above + a.stride), two(b.above + b.stride)),
+                   weights(kWeights.down, a.down, b.down), weights(kWeights.beside, a.right, b.right));
   }
 
-  /// The left and the right texels of two spots, blended downwards and weighed sideways.
-  MIRADA_LANES static Words weighed(const Spot& a, const Spot& b) {
-    const Words upper = widened(two(a.above), two(b.above));
-    const Words lower = widened(two(a.above + a.stride), two(b.above + b.stride));
-    const Words down =
-        widened(kWeights.down[static_cast<std::size_t>(a.down)], kWeights.down[static_cast<std::size_t>(b.down)]);
-    const Words beside = widened(kWeights.beside[static_cast<std::size_t>(a.right)],
-                                 kWeights.beside[static_cast<std::size_t>(b.right)]);
-    return ((upper << 4) + (lower - upper) * down) * beside;
-  }
-
+  cv::Mat memory_;  ///< CV_8UC4, one row: all levels
   std::vector<Level> levels_;
-  std::array<const std::uint32_t*, kHalved + 1> halved_{};
+  std::array<std::int32_t, 8> halvings_{};
   float width_ = 0, height_ = 0;
 };
 
