@@ -17,18 +17,27 @@ class FloorRow {
     explicit Scene(const SceneView& view)
         : r(view.rotation),
           map(&view.stage->textures[view.stage->floor_texture]),
+          min_x_m(view.stage->floor_min_x_m),
+          max_y_m(view.stage->floor_max_y_m),
           per_16(view.stage->floor_texels_per_m * 16),
-          u0((view.at_m.x() - view.stage->floor_min_x_m) * per_16),
-          v0((view.stage->floor_max_y_m - view.at_m.y()) * per_16),
+          u0((view.at_m.x() - min_x_m) * per_16),
+          v0((max_y_m - view.at_m.y()) * per_16),
           height(view.at_m.z()),
           deep(view.pixel_y * per_16),
           wide(view.pixel_x * per_16),
           u_high((map->width() - 65) * 16),
           v_high((map->height() - 65) * 16),
           columns(static_cast<int>(map->width())) {}
+    /// Which places of the W frame lie well on the floor's texture.
+    MIRADA_LANES Ints covers(Floats x_m, Floats y_m) const {
+      const Floats u = (x_m - min_x_m) * per_16;
+      const Floats v = (max_y_m - y_m) * per_16;
+      return (u > kEdge_16) & (v > kEdge_16) & (u < u_high) & (v < v_high);
+    }
+    static constexpr float kEdge_16 = 16 * 64;  // filtering may reach as far from a pixel's middle
     Eigen::Matrix3f r;
     const Texture* map;
-    float per_16, u0, v0, height, deep, wide, u_high, v_high;
+    float min_x_m, max_y_m, per_16, u0, v0, height, deep, wide, u_high, v_high;
     int columns;
   };
 
@@ -59,7 +68,7 @@ class FloorRow {
   /// The colours at the places that lie `offset` (-0.5 to 0.5) of a pixel further down the picture: four
   /// pixels' channels, times 256, each.
   MIRADA_LANES void look(const Scene& s, float offset, Words& left, Words& right) const {
-    const Floats low = all_lanes(16.0F * 64);  // far off a pixel may reach past the floor's map
+    const Floats low = all_lanes(Scene::kEdge_16);  // far off a pixel may reach past the floor's map
     const Floats u = least(most(u_ + offset * du_, low), all_lanes(s.u_high));
     const Floats v = least(most(v_ + offset * dv_, low), all_lanes(s.v_high));
     const Ints x = (__builtin_convertvector(u, Ints) >> level_) - 8;

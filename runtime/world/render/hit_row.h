@@ -1,7 +1,5 @@
 #pragma once
-#include <opencv2/core/hal/intrin.hpp>
-
-#include "world/render/lanes.h"
+#include "world/render/floor_row.h"
 #include "world/render/scene_view.h"
 
 namespace mirada::world {
@@ -29,18 +27,34 @@ class HitRow {
 
   int id(int ray) const { return id_[ray]; }
   SceneView::Hit hit(int ray) const { return {id_[ray], t_[ray], u_[ray], v_[ray]}; }
+  struct Places {
+    Floats x_m, y_m, z_m;
+  };
+  /// Where the rays meet it, W frame.
+  MIRADA_LANES Places places(const SceneView& view) const {
+    return {view.at_m.x() + t_ * dx_, view.at_m.y() + t_ * dy_, view.at_m.z() + t_ * dz_};
+  }
   /// The rays, a bit each, that meet the same as this one.
   MIRADA_LANES unsigned like(int ray) const {
-    const Ints same = id_ == id_[ray];
-    unsigned out = 0;
-    for (int i = 0; i < kRays; ++i) out |= static_cast<unsigned>(same[i] & 1) << i;
-    return out;
+    return bits(id_ == id_[ray]);
+  }
+  /// The rays, a bit each, that meet the ground where the floor's texture lies.
+  MIRADA_LANES unsigned on_map(const FloorRow::Scene& floor) const {
+    return bits(floor.covers(at_x_m_ + t_ * dx_, at_y_m_ + t_ * dy_));
   }
 
  private:
+  MIRADA_LANES static unsigned bits(Ints where) {
+    unsigned out = 0;
+    for (int i = 0; i < kRays; ++i) out |= static_cast<unsigned>(where[i] & 1) << i;
+    return out;
+  }
+
   MIRADA_LANES void aim(const SceneView& view, Floats x, Floats y) {
     x_ = x;
     y_ = y;
+    at_x_m_ = view.at_m.x();
+    at_y_m_ = view.at_m.y();
     const Eigen::Matrix3f& r = view.rotation;
     dx_ = r(0, 0) * x + r(0, 1) * y + r(0, 2);
     dy_ = r(1, 0) * x + r(1, 1) * y + r(1, 2);
@@ -92,16 +106,10 @@ class HitRow {
          item, t);
   }
 
-  MIRADA_LANES static Floats root(Floats of) {
-    std::array<float, kRays> lanes;
-    std::memcpy(lanes.data(), &of, sizeof of);
-    for (std::size_t i = 0; i < kRays; i += 4) cv::v_store(&lanes[i], cv::v_sqrt(cv::v_load(&lanes[i])));
-    return load_lanes<Floats>(lanes.data());
-  }
-
   Floats x_, y_, dx_, dy_, dz_;
   Floats t_, u_, v_;
   Ints id_;
+  float at_x_m_, at_y_m_;
 };
 
 }  // namespace mirada::world

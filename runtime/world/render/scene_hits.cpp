@@ -128,10 +128,8 @@ std::uint32_t SceneView::quad_colour(const Hit& hit, float x, float y, std::uint
 std::uint32_t SceneView::round_colour(const Hit& hit, const Vector3f& ray, std::uint32_t dither) const {
   const Round& round = rounds[static_cast<std::size_t>(hit.id - kFirstItem) - quads.size()];
   const Vector3f p = at_m + hit.t * ray - Vector3f(round.x_m, round.y_m, 0);
-  const float c = std::cos(round.heading_rad);
-  const float s = std::sin(round.heading_rad);
-  const float front = p.x() * c + p.y() * s;
-  const float left = p.y() * c - p.x() * s;
+  const float front = p.x() * round.ahead_x + p.y() * round.ahead_y;
+  const float left = p.y() * round.ahead_x - p.x() * round.ahead_y;
   const Texture& texture = stage->textures[round.head && front < 0 ? round.back_texture : round.texture];
   const float down = (round.high_m - p.z()) / (round.high_m - round.low_m);
   const float column =

@@ -122,6 +122,8 @@ void SceneView::view_rounds(const std::vector<Pose2>& people) {
       round.y_m = static_cast<float>(pose.y_m);
       round.heading_rad = static_cast<float>(pose.heading_rad);
     }
+    round.ahead_x = std::cos(round.heading_rad);
+    round.ahead_y = std::sin(round.heading_rad);
     if (round.cap && round.high_m >= at_m.z()) continue;
     const Vector2f middle(round.x_m, round.y_m);
     add_item(quads.size() + i, &middle, 1, round.reach_m, round.cap ? round.high_m : round.low_m,

@@ -41,11 +41,6 @@ cv::Vec3f tint(const Lamp& lamp) { return {lamp.tint_bgr.x(), lamp.tint_bgr.y(),
 
 }  // namespace
 
-float Lamp::on(const Vector3f& normal) const {
-  const float facing = std::max(0.0F, normal.dot(towards));
-  return level * (ambient + (1 - ambient) * facing) / (ambient + (1 - ambient) * towards.z());
-}
-
 Lamp lamp_of(const LightConfig& light) {
   const double c = std::cos(light.elevation_rad);
   const Vector3f towards(float(c * std::cos(light.from_rad)), float(c * std::sin(light.from_rad)),

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct Round {
   std::size_t back_texture = 0;  ///< of a head
   int person = -1;               ///< moves with this one
   float heading_rad = 0;
+  float ahead_x = 1, ahead_y = 0;  ///< unit vector along the heading
 };
 
 /// How strongly a surface is lit, with its colour.
@@ -41,7 +43,12 @@ struct Lamp {
   float ambient, level;
   Eigen::Vector3f tint_bgr;
   /// 1 for the floor in a normally lit room.
-  float on(const Eigen::Vector3f& normal) const;
+  float on(const Eigen::Vector3f& normal) const { return facing(std::max(0.0F, normal.dot(towards))); }
+  /// The same from the cosine between normal and light, not negative; of one number or of many.
+  template <typename T>
+  [[gnu::always_inline]] T facing(T cosine) const {
+    return (ambient + (1 - ambient) * cosine) * (level / (ambient + (1 - ambient) * towards.z()));
+  }
 };
 Lamp lamp_of(const LightConfig& light);
 

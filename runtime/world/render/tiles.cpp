@@ -107,11 +107,10 @@ bool TileSorter::on_floor_map(const SceneView& view, std::size_t tile) const {
 
 TileSorter::Tile TileSorter::settle(const SceneView& view, std::size_t tile, std::uint32_t first,
                                     std::size_t count) {
-  Tile out{first, static_cast<std::uint16_t>(count), Kind::mixed, taps(tile), false};
+  Tile out{first, static_cast<std::uint16_t>(count), Kind::mixed, taps(tile)};
   if (wild_[tile]) return out;
-  out.on_floor_map = s_high_[tile] < kFloorSlope && on_floor_map(view, tile);
   if (count == 0) {
-    if (out.on_floor_map) out.kind = Kind::floor;
+    if (s_high_[tile] < kFloorSlope && on_floor_map(view, tile)) out.kind = Kind::floor;
     if (s_low_[tile] > 0.001F) out.kind = Kind::sky;
     return out;
   }

@@ -15,7 +15,6 @@ class TileSorter {
     std::uint16_t count = 0;
     Kind kind = Kind::mixed;
     std::uint8_t floor_taps = 1;  ///< how far the floor is foreshortened here
-    bool on_floor_map = false;    ///< all of it that is floor lies on the floor's texture
   };
 
   explicit TileSorter(const RayTable& rays) : rays_(rays) {}
