@@ -101,8 +101,8 @@ class FloorRow {
     return Texture::weighed(widened(Texture::two(texels + upper[a]), Texture::two(texels + upper[b])),
                             widened(Texture::two(texels + lower[a]), Texture::two(texels + lower[b])),
                             std::bit_cast<Words>(__builtin_shufflevector(down, down, a, a, a, a, b, b, b, b)),
-                            std::bit_cast<Words>(__builtin_shufflevector(to_left, to_right, a, a, a + 8, a + 8,
-                                                                         b, b, b + 8, b + 8)));
+                            std::bit_cast<Words>(__builtin_shufflevector(to_left, to_right, a, a, a + 8,
+                                                                         a + 8, b, b, b + 8, b + 8)));
   }
 
   Floats u_, v_, du_, dv_;

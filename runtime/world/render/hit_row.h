@@ -35,9 +35,7 @@ class HitRow {
     return {view.at_m.x() + t_ * dx_, view.at_m.y() + t_ * dy_, view.at_m.z() + t_ * dz_};
   }
   /// The rays, a bit each, that meet the same as this one.
-  MIRADA_LANES unsigned like(int ray) const {
-    return bits(id_ == id_[ray]);
-  }
+  MIRADA_LANES unsigned like(int ray) const { return bits(id_ == id_[ray]); }
   /// The rays, a bit each, that meet the ground where the floor's texture lies.
   MIRADA_LANES unsigned on_map(const FloorRow::Scene& floor) const {
     return bits(floor.covers(at_x_m_ + t_ * dx_, at_y_m_ + t_ * dy_));
@@ -77,8 +75,8 @@ class HitRow {
     const Floats t = q.plane / towards;
     const Floats u = q.right0 + t * (q.right_C.x() * x_ + q.right_C.y() * y_ + q.right_C.z());
     const Floats v = q.down0 + t * (q.down_C.x() * x_ + q.down_C.y() * y_ + q.down_C.z());
-    const Ints here = (towards < -1e-7F) & (t < t_) & (u >= 0) & (u <= quad.width_m) & (v >= 0) &
-                      (v <= quad.height_m);
+    const Ints here =
+        (towards < -1e-7F) & (t < t_) & (u >= 0) & (u <= quad.width_m) & (v >= 0) & (v <= quad.height_m);
     take(here, item, t);
     u_ = here ? u : u_;
     v_ = here ? v : v_;

@@ -81,7 +81,8 @@ MIRADA_INSIDE void Renderer::Impl::mixed_row(std::size_t row, int y, const TileS
   const RowShader::Rays line = rays_of(row, y);
   HitRow hits;
   hits.find(view, line.x, line.y, sorter.candidates() + tile.first, tile.count);
-  for (std::size_t x = 0; x < kTile; ++x) ids[row + x] = static_cast<std::uint16_t>(hits.id(static_cast<int>(x)));
+  for (std::size_t x = 0; x < kTile; ++x)
+    ids[row + x] = static_cast<std::uint16_t>(hits.id(static_cast<int>(x)));
   keep(shader->seen(hits, 0xFF, line, filter_of(tile)), row);
 }
 

@@ -19,8 +19,8 @@ class RowShader {
     const float* y;
     const std::uint32_t* dither;
   };
-  /// How floor is filtered along the view: a ray stands for one of `parts` of a pixel's length and is looked up
-  /// at `looks` places.
+  /// How floor is filtered along the view: a ray stands for one of `parts` of a pixel's length and is looked
+  /// up at `looks` places.
   struct Filter {
     int parts, looks;
   };
@@ -117,8 +117,9 @@ class RowShader {
       const Texture& texture =
           view_.stage->textures[round.head && front[i] < 0 ? round.back_texture : round.texture];
       const float across = hits.hit(i).t * view_.pixel_x * texture.width() / girth;
-      spots[static_cast<std::size_t>(i)] = Texture::spot(texture.level(across * across * 1.3F, rays.dither[i]),
-                                                         column[i] * texture.width(), down[i] * texture.height());
+      spots[static_cast<std::size_t>(i)] =
+          Texture::spot(texture.level(across * across * 1.3F, rays.dither[i]), column[i] * texture.width(),
+                        down[i] * texture.height());
     }
     return lit(sampled(spots), brightness(round, px, py, z));
   }

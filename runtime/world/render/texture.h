@@ -90,8 +90,8 @@ class Texture {
   MIRADA_LANES static Words weighed(Words upper, Words lower, Words down, Words beside) {
     return ((upper << 4) + (lower - upper) * down) * beside;
   }
-  /// Left and right added: the channels, times 256, of pixels 0 to 3, from what weighed() gives of 0 and 2 and
-  /// of 1 and 3.
+  /// Left and right added: the channels, times 256, of pixels 0 to 3, from what weighed() gives of 0 and 2
+  /// and of 1 and 3.
   MIRADA_LANES static Words added(Words even, Words odd) {
     return __builtin_shufflevector(even, odd, 0, 1, 2, 3, 16, 17, 18, 19, 8, 9, 10, 11, 24, 25, 26, 27) +
            __builtin_shufflevector(even, odd, 4, 5, 6, 7, 20, 21, 22, 23, 12, 13, 14, 15, 28, 29, 30, 31);
@@ -138,7 +138,8 @@ class Texture {
     const auto weights = [](const std::array<std::uint64_t, 16>& of, int first, int second) {
       return widened(of[static_cast<std::size_t>(first)], of[static_cast<std::size_t>(second)]);
     };
-    return weighed(widened(two(a.above), two(b.above)), widened(two(a.above + a.stride), two(b.above + b.stride)),
+    return weighed(widened(two(a.above), two(b.above)),
+                   widened(two(a.above + a.stride), two(b.above + b.stride)),
                    weights(kWeights.down, a.down, b.down), weights(kWeights.beside, a.right, b.right));
   }
 
