@@ -266,7 +266,7 @@ class Writer {
     // What prints otherwise stays as it is written: "1.0" draws no whole numbers.
     const bool same = is_plain_number(literal->value) &&
                       number_to_string(string_to_number(literal->value)) == literal->value;
-    if (wants_number && same) {
+    if (literal->is_number ? is_plain_number(literal->value) : wants_number && same) {
       return "{\"type\":\"math_number\"" + id +
              ",\"fields\":{\"NUM\":" + nlohmann::json(string_to_number(literal->value)).dump() + "}}";
     }

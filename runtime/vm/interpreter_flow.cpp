@@ -223,6 +223,7 @@ HANDLER(stop_others) {
 
 HANDLER(wait) {
   t.fuel -= at->executions;
+  t.machine->redraw = t.machine->code->program.from_scratch;
   const double seconds = std::max(plain(A.n), 0.0);
   const Micros now = t.machine->host.now();
   t.machine->sleep(*t.thread, seconds < 1e9 ? now + micros(seconds) : std::numeric_limits<Micros>::max() / 2,
@@ -316,6 +317,7 @@ HANDLER(clear_counter) {
 HANDLER(say) {
   t.machine->host.say(ThreadId{t.thread->serial}, t.machine->code->program.at(block_at(t, at)).id,
                       to_string(A.v));
+  t.machine->redraw = t.machine->code->program.from_scratch;
   t.thread->visible_tick = t.machine->tick_number;
   t.solo = false;
   return at + 1;

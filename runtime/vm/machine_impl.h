@@ -53,6 +53,7 @@ struct Machine::Impl {
   std::int64_t fuel_for(const Thread& thread) const;
   Exit run_thread(Thread& thread);
   void close_pass();
+  bool next_pass_is_due();
   void wake_sleepers();
   void look_at_edges();
   EdgeState condition_of(const Script& script, Instance& instance);
@@ -141,7 +142,8 @@ struct Machine::Impl {
   std::uint64_t pass_number = 0;
   std::size_t pass_index = 0;  ///< the thread whose turn it is; kept when a tick ends within a pass
   bool pass_open = false;
-  std::size_t doomed = 0;  ///< threads before this place go when the pass is over (Scratch's "stop all")
+  std::size_t doomed = 0;   ///< threads before this place go when the pass is over (Scratch's "stop all")
+  bool redraw = false;      ///< a Scratch project has shown something or begun to wait
   bool pass_moved = false;  ///< somebody did more in this pass than look at a condition
   std::size_t pass_turns = 0;
   bool only_one = false;  ///< the last pass had one turn and nobody else became ready

@@ -2,6 +2,7 @@
 // of the list.
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "vm/machine_impl.h"
 
@@ -25,9 +26,16 @@ void Machine::Impl::tick(bool back_to_back) {
     return;
   }
   while (budget > 0 && !interrupted.load(std::memory_order_relaxed)) {
-    if (!run_pass() || !pass_moved) break;
+    if (!run_pass() || !next_pass_is_due()) break;
   }
   interrupted.store(false);
+}
+
+/// Whether the tick goes on after a whole pass. In a Scratch project one that shows something or begins to
+/// wait ends the tick for all.
+bool Machine::Impl::next_pass_is_due() {
+  const bool shown = std::exchange(redraw, false) && !ticking_back_to_back;
+  return pass_moved && !shown;
 }
 
 /// Live: whether the tick has had its wall time. Its budget is spent then.
@@ -49,7 +57,7 @@ bool Machine::Impl::held() {
 
 bool Machine::Impl::may_run(const Thread& thread) const {
   if (thread.state != ThreadState::ready && thread.state != ThreadState::polling) return false;
-  return ticking_back_to_back || thread.visible_tick != tick_number;
+  return ticking_back_to_back || code->program.from_scratch || thread.visible_tick != tick_number;
 }
 
 /// One pass, or what was left of it when the last tick ended. False when the tick is over.
