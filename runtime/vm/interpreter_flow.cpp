@@ -18,18 +18,14 @@ namespace {
 
 constexpr std::size_t kStartWork = 20;  // what starting a script costs, in block executions
 
-const Instr* end_turn(Turn& t, const Instr* resume, BlockIndex block, Exit exit) {
+const Instr* end_turn(Turn& t, const Instr* resume, const Instr* shown, Exit exit) {
   t.thread->at = resume;
-  t.thread->block = block;
+  t.thread->shown = shown;
   t.exit = exit;
   return nullptr;
 }
 
-BlockIndex block_at(const Turn& t, const Instr* at) {
-  const Function& function = *t.thread->frames.back().function;
-  const auto place = static_cast<std::size_t>(at - function.code.data());
-  return place < function.block_of.size() ? function.block_of[place] : kNone;
-}
+BlockIndex block_at(const Turn& t, const Instr* at) { return t.thread->block_at(at); }
 
 /// Scratch's test: whether one of the six stack entries below the call (C-blocks and calls) is a call of the
 /// same block.
@@ -44,9 +40,7 @@ bool calls_itself(const Thread& thread, const Function& function, std::int32_t d
 
 }  // namespace
 
-const Instr* out_of_fuel(const Instr* to, Turn& turn) {
-  return end_turn(turn, to, block_at(turn, to), Exit::preempted);
-}
+const Instr* out_of_fuel(const Instr* to, Turn& turn) { return end_turn(turn, to, to, Exit::preempted); }
 
 const Instr* charge(const Instr* next, Turn& turn, std::size_t work) {
   if (work == 0) return next;
@@ -57,7 +51,7 @@ const Instr* charge(const Instr* next, Turn& turn, std::size_t work) {
 
 const Instr* fail(const Instr* at, Turn& turn, const Message& message, MessageArgs args) {
   turn.machine->fault(*turn.thread, block_at(turn, at), message, std::move(args));
-  return end_turn(turn, at, block_at(turn, at), Exit::faulted);
+  return end_turn(turn, at, at, Exit::faulted);
 }
 
 const Instr* fail_memory(const Instr* at, Turn& turn) {
@@ -67,7 +61,7 @@ const Instr* fail_memory(const Instr* at, Turn& turn) {
 
 HANDLER(end) {
   t.fuel -= at->executions;
-  return end_turn(t, at, block_at(t, at), Exit::ended);
+  return end_turn(t, at, at, Exit::ended);
 }
 
 HANDLER(jump) {
@@ -91,13 +85,13 @@ HANDLER(loop) {
     NEXT(to);
   }
   if (t.solo && t.fuel >= 0) NEXT(to);
-  return end_turn(t, to, block_at(t, at), Exit::yielded);
+  return end_turn(t, to, at, Exit::yielded);
 }
 
 HANDLER(poll) {
   t.fuel -= at->executions;
   t.thread->state = ThreadState::polling;
-  return end_turn(t, at + at->c, block_at(t, at), Exit::polled);
+  return end_turn(t, at + at->c, at, Exit::polled);
 }
 
 HANDLER(warp_on) {
@@ -121,12 +115,12 @@ namespace {
   t.fuel -= at->executions;
   const bool recursion = t.warp == 0 && !function.warp && calls_itself(thread, function, at->b);
   if (!t.machine->push_frame(thread, function, at + 1, at->b, base, t.warp, block_at(t, at))) {
-    return end_turn(t, at, block_at(t, at), Exit::faulted);
+    return end_turn(t, at, at, Exit::faulted);
   }
   t.frame = f = thread.frame();
   t.warp += function.warp ? 1 : 0;
   const Instr* to = function.code.data();
-  if (recursion) return end_turn(t, to, block_at(t, to), Exit::yielded);
+  if (recursion) return end_turn(t, to, to, Exit::yielded);
   if (t.fuel < 0) return out_of_fuel(to, t);
   NEXT(to);
 }
@@ -213,7 +207,7 @@ HANDLER(take_v) {
 HANDLER(stop_all) {
   t.fuel -= at->executions;
   t.machine->stop_all_by_block();
-  return end_turn(t, at, block_at(t, at), Exit::ended);
+  return end_turn(t, at, at, Exit::ended);
 }
 
 HANDLER(stop_others) {
@@ -228,7 +222,7 @@ HANDLER(wait) {
   const Micros now = t.machine->host.now();
   t.machine->sleep(*t.thread, seconds < 1e9 ? now + micros(seconds) : std::numeric_limits<Micros>::max() / 2,
                    false);
-  return end_turn(t, at + 1, block_at(t, at), Exit::slept);
+  return end_turn(t, at + 1, at, Exit::slept);
 }
 
 HANDLER(broadcast) {
@@ -243,7 +237,7 @@ HANDLER(broadcast_wait) {
   const std::vector<Thread*> started = t.machine->broadcast(to_string(A.v));
   if (started.empty()) return t.fuel < 0 ? out_of_fuel(at + 1, t) : at + 1;
   t.machine->join(*t.thread, started);
-  return end_turn(t, at + 1, block_at(t, at), Exit::joined);
+  return end_turn(t, at + 1, at, Exit::joined);
 }
 
 HANDLER(native) {
@@ -257,13 +251,13 @@ HANDLER(native) {
   }
   if (result.kind == NativeResult::Kind::again) {
     t.machine->sleep(thread, result.not_before, true);
-    return end_turn(t, at, site.block, Exit::slept);
+    return end_turn(t, at, at, Exit::slept);
   }
   thread.native_state.reset();
   t.fuel -= at->executions;
   if (result.kind == NativeResult::Kind::fault) {
     t.machine->fault(thread, site.block, *result.message, std::move(result.args));
-    return end_turn(t, at, site.block, Exit::faulted);
+    return end_turn(t, at, at, Exit::faulted);
   }
   Value& out = B.v;
   switch (result.kind) {
@@ -333,7 +327,7 @@ HANDLER(delete_clone) {
   t.fuel -= at->executions;
   if (!t.thread->instance->is_clone) return at + 1;
   t.machine->delete_clone(*t.thread);
-  return end_turn(t, at, block_at(t, at), Exit::ended);
+  return end_turn(t, at, at, Exit::ended);
 }
 
 HANDLER(load_n) {

@@ -48,15 +48,23 @@ struct Machine::Impl {
   bool out_of_time();
   bool may_run(const Thread& thread) const;
   bool run_pass();
-  bool take_turn(Thread& thread);
-  bool keeps_others_out(Thread& thread, Exit exit);
-  std::int64_t fuel_for(const Thread& thread) const;
-  Exit run_thread(Thread& thread);
   void close_pass();
   bool next_pass_is_due();
   void wake_sleepers();
   void look_at_edges();
   EdgeState condition_of(const Script& script, Instance& instance);
+
+  // turns.cpp
+  bool is_quick(const Thread& thread) const;
+  Thread* quick_turns();
+  Exit finish_quick_turn(Thread& thread);
+  bool take_turn(Thread& thread);
+  bool close_turn(Thread& thread, Exit exit);
+  bool keeps_others_out(Thread& thread, Exit exit);
+  std::int64_t fuel_for(const Thread& thread) const;
+  bool turn_is_over(const Thread& thread);
+  Exit run_thread(Thread& thread);
+  void settle(std::int64_t fuel, std::int64_t turns);
 
   // threads.cpp
   Thread* new_thread(const Function& function, Instance* instance);

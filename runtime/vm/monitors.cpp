@@ -62,7 +62,7 @@ std::vector<std::string> Machine::Impl::running_blocks() const {
   };
   for (const Thread* thread : threads) {
     if (thread->is_question || thread->state == ThreadState::done) continue;
-    add(thread->block);
+    add(thread->here());
     int calls = 0;
     for (std::size_t i = thread->frames.size(); i-- > 1 && calls < kMaxCalls; ++calls) {
       const Function& caller = *thread->frames[i - 1].function;
@@ -127,7 +127,7 @@ void Machine::Impl::answer(Thread& thread, const Value& value) {
 
 void Machine::Impl::give_up(Thread& thread, const Message& why, MessageArgs args) {
   if (!thread.is_question || thread.is_answered) return;
-  refuse(thread.request, make_fault(code->program.at(thread.block).id, why, std::move(args)));
+  refuse(thread.request, make_fault(code->program.at(thread.here()).id, why, std::move(args)));
   thread.is_answered = true;
 }
 

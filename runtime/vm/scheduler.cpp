@@ -1,5 +1,5 @@
 // Whose turn it is. A tick is made of passes; in a pass every script that can run has one turn, in the order
-// of the list.
+// of the list. The turns themselves: turns.cpp.
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -7,13 +7,6 @@
 #include "vm/machine_impl.h"
 
 namespace mirada::vm {
-namespace {
-
-constexpr Micros kWarpTime = 500 * kMillisecond;
-constexpr std::int64_t kTurnFuel = 50;  // what a turn takes beside its instructions, in block executions
-
-}  // namespace
-
 void Machine::Impl::tick(bool back_to_back) {
   ++tick_number;
   ticking_back_to_back = back_to_back;
@@ -76,91 +69,19 @@ bool Machine::Impl::run_pass() {
       ++pass_index;
       continue;
     }
-    if (!take_turn(thread)) return false;
+    if (is_quick(thread)) {
+      Thread* last = quick_turns();
+      if (last && !close_turn(*last, finish_quick_turn(*last))) return false;
+      if (last) ++pass_index;
+    } else {
+      if (!take_turn(thread)) return false;
+      ++pass_index;
+    }
     if (!pass_open) return true;  // all was stopped
-    ++pass_index;
     if (budget <= 0 || interrupted.load(std::memory_order_relaxed)) return false;
   }
   close_pass();
   return true;
-}
-
-/// One script's turn, or what is left of it. False when the tick ends within the turn.
-bool Machine::Impl::take_turn(Thread& thread) {
-  if (!mid_turn) {
-    thread.warp_since = host.now();
-    thread.turn_executions = 0;
-    ++pass_turns;
-  }
-  mid_turn = false;
-  if (thread.state == ThreadState::polling) thread.state = ThreadState::ready;
-  turn.solo = only_one && threads.size() == pass_alone_size && !thread.is_question;
-  current = &thread;
-  const Exit exit = run_thread(thread);
-  current = nullptr;
-  if (exit != Exit::polled) pass_moved = true;
-  if (exit == Exit::ended || exit == Exit::faulted) {
-    end_thread(thread, exit == Exit::ended ? ThreadEnd::finished : ThreadEnd::faulted);
-  }
-  const bool listed = pass_open && pass_index < threads.size() && threads[pass_index] == &thread;
-  if (!listed) {
-    drop(thread);  // stopped or started again by itself
-    return true;
-  }
-  if (thread.state == ThreadState::done) return true;
-  if (exit == Exit::preempted) {
-    mid_turn = true;
-    return false;
-  }
-  return !keeps_others_out(thread, exit);
-}
-
-/// A script that waits within "all at once" holds the others up, but no longer than all at once may take.
-bool Machine::Impl::keeps_others_out(Thread& thread, Exit exit) {
-  const bool waits = exit == Exit::polled || exit == Exit::slept || exit == Exit::joined;
-  if (!waits || thread.warp == 0) {
-    hold = nullptr;
-    return false;
-  }
-  if (hold != &thread) hold_until = host.now() + kWarpTime;
-  hold = host.now() < hold_until ? &thread : nullptr;
-  return hold != nullptr;
-}
-
-std::int64_t Machine::Impl::fuel_for(const Thread& thread) const {
-  std::int64_t fuel = std::min(budget, static_cast<std::int64_t>(limits.slice_executions));
-  if (turn.warp > 0) {
-    const std::uint64_t used = std::min(thread.turn_executions, limits.warp_executions);
-    fuel = std::min(fuel, static_cast<std::int64_t>(limits.warp_executions - used));
-  }
-  return std::max<std::int64_t>(fuel, 0);
-}
-
-/// Runs until the turn is over; looks up after each slice.
-Exit Machine::Impl::run_thread(Thread& thread) {
-  turn.thread = &thread;
-  turn.warp = thread.warp;
-  for (;;) {
-    const std::int64_t fuel = fuel_for(thread);
-    turn.fuel = fuel;
-    turn.surcharge = 0;
-    turn.frame = thread.frame();
-    turn.exit = Exit::yielded;
-    run_turn(turn, thread.at, globals.get());
-    const std::int64_t spent = fuel - turn.fuel - turn.surcharge;
-    budget -= spent;
-    executions += static_cast<std::uint64_t>(spent);
-    thread.turn_executions += static_cast<std::uint64_t>(spent);
-    thread.warp = turn.warp;
-    unwatched += fuel - turn.fuel + kTurnFuel;
-    if (unwatched >= static_cast<std::int64_t>(limits.slice_executions)) out_of_time();
-    if (turn.exit != Exit::preempted || thread.state == ThreadState::done) return turn.exit;
-    if (turn.warp > 0 &&
-        (thread.turn_executions >= limits.warp_executions || host.now() - thread.warp_since >= kWarpTime)) {
-      return Exit::yielded;
-    }
-    if (budget <= 0 || interrupted.load(std::memory_order_relaxed)) return Exit::preempted;
-  }
 }
 
 /// Scripts that have ended leave the list; who waited for them may go on in the next pass.

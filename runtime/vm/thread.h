@@ -93,7 +93,7 @@ struct Thread {
   std::uint64_t request = 0;
   std::uint64_t visible_tick = 0;  ///< the tick in which it has done something visible
   const Instr* at = nullptr;       ///< where it goes on
-  BlockIndex block = kNone;        ///< the block that it is at, for highlights
+  const Instr* shown = nullptr;    ///< in the innermost function: the block that it is at, for highlights
   std::int32_t warp = 0;           ///< how many "all at once" it is in
   Micros warp_since = 0;
   std::uint64_t turn_executions = 0;
@@ -110,6 +110,9 @@ struct Thread {
   std::uint32_t capacity = 0;
 
   Slot* frame() { return stack.get() + frames.back().base; }
+  BlockIndex block_at(const Instr* instr) const;
+  /// The block that it is at.
+  BlockIndex here() const { return block_at(shown); }
 };
 
 }  // namespace mirada::vm

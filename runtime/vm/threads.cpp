@@ -21,8 +21,9 @@ Thread* Machine::Impl::new_thread(const Function& function, Instance* instance) 
   thread.warp = 0;
   thread.pending = 0;
   thread.at = function.code.data();
-  thread.block = function.block_of.front();
-  if (!push_frame(thread, function, nullptr, 0, 0, 0, thread.block)) thread.state = ThreadState::done;
+  thread.shown = thread.at;
+  if (!push_frame(thread, function, nullptr, 0, 0, 0, function.block_of.front()))
+    thread.state = ThreadState::done;
   return &thread;
 }
 
@@ -57,6 +58,13 @@ bool Machine::Impl::push_frame(Thread& thread, const Function& function, const I
   const std::uint32_t up = thread.frames.empty() ? 0 : base - thread.frames.back().base;
   thread.frames.push_back({&function, back, base, depth, warp, static_cast<std::int32_t>(up)});
   return true;
+}
+
+BlockIndex Thread::block_at(const Instr* instr) const {
+  if (frames.empty()) return kNone;
+  const Function& function = *frames.back().function;
+  const auto here = static_cast<std::size_t>(instr - function.code.data());
+  return here < function.block_of.size() ? function.block_of[here] : kNone;
 }
 
 /// Gives back every register of every frame.
