@@ -49,6 +49,7 @@ struct Machine::Impl {
   bool may_run(const Thread& thread) const;
   bool run_pass();
   void close_pass();
+  void clear_ended();
   bool next_pass_is_due();
   void wake_sleepers();
   void look_at_edges();
@@ -154,7 +155,8 @@ struct Machine::Impl {
   bool redraw = false;      ///< a Scratch project has shown something or begun to wait
   bool pass_moved = false;  ///< somebody did more in this pass than look at a condition
   std::size_t pass_turns = 0;
-  bool only_one = false;  ///< the last pass had one turn and nobody else became ready
+  bool only_one = false;       ///< the last pass had one turn and nobody else became ready
+  bool someone_ended = false;  ///< since the list was last cleared of those
   bool disturbed = false;
   std::size_t pass_alone_size = 0;
   Thread* current = nullptr;  ///< whose turn it is

@@ -84,12 +84,19 @@ bool Machine::Impl::run_pass() {
   return true;
 }
 
-/// Scripts that have ended leave the list; who waited for them may go on in the next pass.
 void Machine::Impl::close_pass() {
   pass_open = false;
   for (std::size_t i = 0; i < doomed; ++i) end_thread(*threads[i], ThreadEnd::killed);
   if (doomed > 0) hold = nullptr;
   doomed = 0;
+  if (someone_ended) clear_ended();
+  only_one = pass_turns == 1 && !disturbed;
+  pass_alone_size = threads.size();
+}
+
+/// Scripts that have ended leave the list; who waited for them may go on in the next pass.
+void Machine::Impl::clear_ended() {
+  someone_ended = false;
   std::size_t kept = 0;
   for (Thread* thread : threads) {
     if (thread->state != ThreadState::done) {
@@ -105,8 +112,6 @@ void Machine::Impl::close_pass() {
     drop(*thread);
   }
   ended.clear();
-  only_one = pass_turns == 1 && !disturbed;
-  pass_alone_size = threads.size();
 }
 
 void Machine::Impl::wake_sleepers() {

@@ -22,8 +22,10 @@ Thread* Machine::Impl::new_thread(const Function& function, Instance* instance) 
   thread.pending = 0;
   thread.at = function.code.data();
   thread.shown = thread.at;
-  if (!push_frame(thread, function, nullptr, 0, 0, 0, function.block_of.front()))
+  if (!push_frame(thread, function, nullptr, 0, 0, 0, function.block_of.front())) {
     thread.state = ThreadState::done;
+    someone_ended = true;
+  }
   return &thread;
 }
 
@@ -137,6 +139,7 @@ void Machine::Impl::end_thread(Thread& thread, ThreadEnd why) {
   if (thread.state == ThreadState::done) return;
   thread.state = ThreadState::done;
   thread.end = why;
+  someone_ended = true;
 }
 
 /// Tells the host and gives the thread's memory back. The thread is in no list any more.
