@@ -25,17 +25,17 @@ bool is_deep(const nlohmann::json& value) {
   return false;
 }
 
-std::string shown(const nlohmann::json& value) {
-  if (value.is_structured() && is_deep(value)) return value.is_array() ? "[...]" : "{...}";
-  const std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  return text.size() <= 40 ? text : text.substr(0, 37) + "...";
-}
-
 MessageArgs range_args(std::string field, double min, double max) {
   return {{"field", std::move(field)}, {"min", number_text(min, 6)}, {"max", number_text(max, 6)}};
 }
 
 }  // namespace
+
+std::string short_json(const nlohmann::json& value) {
+  if (value.is_structured() && is_deep(value)) return value.is_array() ? "[...]" : "{...}";
+  const std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return text.size() <= 40 ? text : text.substr(0, 37) + "...";
+}
 
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& place) {
   try {
@@ -51,7 +51,7 @@ JsonReader::JsonReader(const nlohmann::json& object, std::string path, Faults& f
     : object_(&object), path_(std::move(path)), faults_(&faults) {
   if (!object.is_object()) {
     faults_->push_back(make_fault(path_, messages::object_needed,
-                                  {{"field", path_.empty() ? "/" : path_}, {"value", shown(object)}}));
+                                  {{"field", path_.empty() ? "/" : path_}, {"value", short_json(object)}}));
     object_ = &empty_object();
   }
 }
@@ -76,7 +76,7 @@ double JsonReader::checked(const nlohmann::json& value, std::string_view field, 
     if (std::isfinite(number) && number >= min && number <= max) return number;
   }
   MessageArgs args = range_args(path_ + "/" + std::string(field), min, max);
-  args.emplace_back("value", shown(value));
+  args.emplace_back("value", short_json(value));
   faults_->push_back(make_fault(args.front().second, messages::number_needed, args));
   return fallback;
 }
@@ -103,7 +103,7 @@ std::string JsonReader::text_or(std::string_view field, std::string fallback) {
   const nlohmann::json* value = find(field);
   if (!value) return fallback;
   if (value->is_string()) return value->get<std::string>();
-  fault(field, messages::text_needed, {{"value", shown(*value)}});
+  fault(field, messages::text_needed, {{"value", short_json(*value)}});
   return fallback;
 }
 
@@ -111,7 +111,7 @@ bool JsonReader::truth_or(std::string_view field, bool fallback) {
   const nlohmann::json* value = find(field);
   if (!value) return fallback;
   if (value->is_boolean()) return value->get<bool>();
-  fault(field, messages::truth_needed, {{"value", shown(*value)}});
+  fault(field, messages::truth_needed, {{"value", short_json(*value)}});
   return fallback;
 }
 
@@ -123,7 +123,7 @@ std::string JsonReader::choice(std::string_view field, std::initializer_list<std
       return std::string(choice);
     list += (list.empty() ? "" : ", ") + std::string(choice);
   }
-  fault(field, messages::choice_needed, {{"choices", list}, {"value", value ? shown(*value) : "-"}});
+  fault(field, messages::choice_needed, {{"choices", list}, {"value", value ? short_json(*value) : "-"}});
   return std::string(*choices.begin());
 }
 
@@ -134,7 +134,7 @@ std::vector<double> JsonReader::numbers(std::string_view field, std::size_t min_
     fault(field, messages::array_needed,
           {{"min", std::to_string(min_size)},
            {"max", std::to_string(max_size)},
-           {"value", value ? shown(*value) : "-"}});
+           {"value", value ? short_json(*value) : "-"}});
     return std::vector<double>(min_size, 0.0);
   }
   std::vector<double> out;
@@ -160,7 +160,7 @@ std::vector<JsonReader> JsonReader::objects(std::string_view field, std::size_t 
   if (!value) return out;
   if (!value->is_array() || value->size() > max_size) {
     fault(field, messages::array_needed,
-          {{"min", "0"}, {"max", std::to_string(max_size)}, {"value", shown(*value)}});
+          {{"min", "0"}, {"max", std::to_string(max_size)}, {"value", short_json(*value)}});
     return out;
   }
   for (std::size_t i = 0; i < value->size(); ++i) {

@@ -14,6 +14,10 @@ namespace mirada {
 /// Parses text as JSON; the fault says at which byte it breaks. Duplicate keys: the last wins.
 Result<nlohmann::json> parse_json(std::string_view text, const std::string& place);
 
+/// A value as a fault shows it: at most 40 characters, and no more than its brackets where it is deep
+/// (writing such a value out would recurse as deep).
+std::string short_json(const nlohmann::json& value);
+
 /// Reads the fields of one JSON object and collects every fault with its path ("/camera/fx_px"). A getter
 /// that fails adds a fault and gives a harmless value, so that one pass finds all of them. The JSON must
 /// outlive the reader.

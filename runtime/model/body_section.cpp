@@ -44,8 +44,7 @@ void read_footprint(JsonReader& json, RobotConfig& robot) {
   const nlohmann::json& list = json.json().at("footprint_m");
   if (!list.is_array() || list.size() < 3 || list.size() > 64 ||
       !std::all_of(list.begin(), list.end(), is_corner)) {
-    const std::string text = list.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    json.fault("footprint_m", messages::footprint_points, {{"value", text.substr(0, 60)}});
+    json.fault("footprint_m", messages::footprint_points, {{"value", short_json(list)}});
     return;
   }
   std::vector<Eigen::Vector2d> corners;

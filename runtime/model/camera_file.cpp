@@ -12,17 +12,13 @@ namespace {
 
 constexpr std::uintmax_t kMaxCameraFile_bytes = 4u << 20;
 
-std::string value_text(const nlohmann::json& value) {
-  return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).substr(0, 40);
-}
-
 void read_head(JsonReader& json) {
   const nlohmann::json& all = json.json();
   if (json.text("format") != "mirada-camera" && all.contains("format") && all.at("format").is_string()) {
-    json.fault("format", messages::camera_file_wrong_format, {{"value", value_text(all.at("format"))}});
+    json.fault("format", messages::camera_file_wrong_format, {{"value", short_json(all.at("format"))}});
   }
   if (json.has("version") && all.at("version") != 1) {
-    json.fault("version", messages::robot_wrong_version, {{"value", value_text(all.at("version"))}});
+    json.fault("version", messages::robot_wrong_version, {{"value", short_json(all.at("version"))}});
   }
   // A calibration always knows these; robot.json may leave them out.
   for (const char* field : {"width_px", "height_px", "fx_px"}) json.number(field, 10, 20'000);

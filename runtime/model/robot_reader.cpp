@@ -14,17 +14,13 @@ namespace {
 
 constexpr std::uintmax_t kMaxRobotFile_bytes = 4u << 20;
 
-std::string shown(const nlohmann::json& value) {
-  return value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).substr(0, 40);
-}
-
 void read_head(JsonReader& json, const std::string& file_name, RobotConfig& robot) {
   const nlohmann::json& all = json.json();
   if (json.has("format") && all.at("format") != "mirada-robot") {
-    json.fault("format", messages::robot_wrong_format, {{"value", shown(all.at("format"))}});
+    json.fault("format", messages::robot_wrong_format, {{"value", short_json(all.at("format"))}});
   }
   if (json.has("version") && all.at("version") != 1) {
-    json.fault("version", messages::robot_wrong_version, {{"value", shown(all.at("version"))}});
+    json.fault("version", messages::robot_wrong_version, {{"value", short_json(all.at("version"))}});
   }
   robot.id = json.text_or("id", fs::path(file_name).stem().string());
   robot.name_en = robot.name_es = robot.id;

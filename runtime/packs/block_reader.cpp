@@ -50,7 +50,7 @@ std::string default_text(JsonReader& json) {
   const nlohmann::json& value = json.json().at("default");
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number()) return number_text(value.get<double>(), 10);
-  json.fault("default", messages::wrong_default, {{"value", value.dump()}});
+  json.fault("default", messages::wrong_default, {{"value", short_json(value)}});
   return "";
 }
 
@@ -133,16 +133,17 @@ void read_args(JsonReader& json, BlockDef& block) {
 void read_needs(JsonReader& json, BlockDef& block) {
   if (!json.has("needs")) return;
   const nlohmann::json& needs = json.json().at("needs");
-  for (const nlohmann::json& need : needs.is_array() ? needs : nlohmann::json::array()) {
+  for (std::size_t i = 0; needs.is_array() && i < needs.size(); ++i) {
+    const nlohmann::json& need = needs[i];
     if (need.is_string() && is_name(need.get<std::string>(), false)) {
       block.needs.push_back(need.get<std::string>());
     } else {
-      json.fault("needs", messages::wrong_name, {{"value", need.dump()}});
+      json.fault("needs", messages::wrong_name, {{"value", short_json(need)}});
     }
   }
   if (!needs.is_array()) {
     json.fault("needs", mirada::messages::array_needed,
-               {{"min", "0"}, {"max", "10"}, {"value", needs.dump()}});
+               {{"min", "0"}, {"max", "10"}, {"value", short_json(needs)}});
   }
 }
 

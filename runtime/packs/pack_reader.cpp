@@ -18,7 +18,7 @@ bool is_colour(const std::string& text) {
 void read_head(JsonReader& json, Pack& pack) {
   if (json.number("format", 1, 1e9) != 1) {
     json.fault("format", messages::wrong_format,
-               {{"value", json.has("format") ? json.json()["format"].dump() : "-"}});
+               {{"value", json.has("format") ? short_json(json.json()["format"]) : "-"}});
   }
   pack.id = json.text("id");
   if (!is_name(pack.id, false)) json.fault("id", messages::wrong_name, {{"value", pack.id}});

@@ -144,6 +144,14 @@ TEST(RobotReader, WhatIsNoRobotFileSaysSo) {
             "robot_wrong_format");
 }
 
+TEST(RobotReader, IsNotHurtByValuesOfAnyDepth) {
+  const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
+  const auto robot = read_robot(
+      R"({"format": )" + deep + R"(, "version": )" + deep + R"(, "footprint_m": )" + deep + "}", "r.json");
+  ASSERT_FALSE(robot);
+  EXPECT_THAT(to_text(robot.faults(), Lang::en), HasSubstr("[...]"));
+}
+
 TEST(ShippedRobots, AllReadWithoutAWarning) {
   const auto ids = shipped_robots();
   ASSERT_THAT(ids, Contains("mirada-sim"));

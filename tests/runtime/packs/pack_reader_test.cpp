@@ -90,6 +90,16 @@ TEST(PackReader, RefusesBrokenJsonAndAnEmptyPack) {
             std::vector<std::string>{"wrong_format"});
 }
 
+TEST(PackReader, IsNotHurtByValuesOfAnyDepth) {
+  const std::string deep = std::string(200'000, '[') + std::string(200'000, ']');
+  EXPECT_EQ(fault_codes(replaced(kGood, "\"format\": 1", "\"format\": " + deep)).back(), "number_needed");
+  EXPECT_EQ(fault_codes(replaced(kGood, "\"default\": 2", "\"default\": " + deep)),
+            std::vector<std::string>{"wrong_default"});
+  EXPECT_EQ(fault_codes(replaced(kGood, "[\"drive\"]", deep)), std::vector<std::string>{"wrong_name"});
+  EXPECT_EQ(fault_codes(replaced(kGood, "[\"drive\"]", "{\"a\": " + deep + "}")),
+            std::vector<std::string>{"array_needed"});
+}
+
 TEST(LoadPacks, KeepsTheGoodOnesWhenOneIsBroken) {
   const auto folder = std::filesystem::temp_directory_path() / ("mirada-packs-" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder / "dance");
