@@ -22,6 +22,7 @@ void add_motion_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>
 void add_looking_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>& link);
 void add_vision_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>& link);
 void add_memory_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>& link);
+void add_people_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>& link);
 void add_say_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>& link);
 
 }  // namespace mirada::blocks

@@ -52,6 +52,7 @@ struct Aim {
 NativeResult begin(robot::Robot& robot, NativeCall& call, const Aim& aim) {
   if (!robot.motion().may_move()) return NativeResult::failed(messages::not_running);
   robot.watch().rest();
+  robot.follower().stop();
   robot::Gaze& gaze = robot.gaze();
   if (aim.pan_rad) {
     say_if_clamped(robot, call, messages::pan_clamped, bearing_to_block(*aim.pan_rad),

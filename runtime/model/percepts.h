@@ -39,12 +39,21 @@ struct SonarPercept {
 };
 
 /// Box in source pixels, top-left origin; bearing of its middle from the robot's origin, positive left, and
-/// its elevation above the lens's own height, positive up.
+/// its elevation above the lens's own height, positive up. The distance, along the floor from the robot's
+/// origin, is judged by its size.
 struct FacePercept {
   double x_px = 0, y_px = 0, w_px = 0, h_px = 0;
   double score = 0;
   double bearing_rad = 0;
   double elevation_rad = 0;
+  double distance_m = 0;
+  double sigma_m = 0;
+  int id = 0;                                       ///< the same while it is followed; 0 = not followed
+  bool predicted = false;                           ///< not seen in this picture: where it should be
+  Eigen::Vector2d p_O_m = Eigen::Vector2d::Zero();  ///< of one that is followed
+  Eigen::Vector2d v_O_mps = Eigen::Vector2d::Zero();
+  Micros age = 0;      ///< of the picture that it was last seen in, when this one was taken
+  std::string name{};  ///< who it is, when that is known
 };
 
 struct FacesPercept {
@@ -54,6 +63,8 @@ struct FacesPercept {
   int picture_height_px = 240;
   std::string detector;
   std::vector<FacePercept> faces;  ///< largest first
+  /// People who are followed by what they wear while their face is not seen: where the face should be.
+  std::vector<FacePercept> bodies;
 };
 
 enum class ThingKind { face, tag, red_ball };

@@ -1,31 +1,45 @@
 #include "rig/detectors.h"
 
+#include <atomic>
 #include <memory>
 #include <optional>
 
 #include "vision/ball_finder.h"
-#include "vision/face_finder.h"
+#include "vision/faces/face_watch.h"
 #include "vision/tags/tag_spotter.h"
 #include "vision/visual_sonar.h"
 
 namespace mirada::rig {
 namespace {
 
-/// Opens the finder once; its fault, if any, is every answer.
-class LazyFaceFinder {
+/// Opens the finder at its first picture; its fault, if any, is every answer.
+class LazyFaceWatch {
  public:
-  LazyFaceFinder(RobotConfig robot, std::string model) : robot_(std::move(robot)), model_(std::move(model)) {}
+  LazyFaceWatch(RobotConfig robot, std::string model) : robot_(std::move(robot)), model_(std::move(model)) {}
 
-  Result<FacesPercept> find(const Frame& frame, const NeckAngles& neck) {
-    if (!finder_) finder_.emplace(vision::FaceFinder::open(robot_, model_));
-    if (!*finder_) return finder_->faults();
-    return finder_->value()->find(frame, neck);
+  Result<FacesPercept> look(const Frame& frame, const NeckAngles& neck, const Pose2& X_OR) {
+    if (!watch_ && !trouble_) open();
+    if (trouble_) return *trouble_;
+    if (forget_.exchange(false)) watch_->forget();
+    return watch_->look(frame, neck, X_OR);
   }
+  void forget() { forget_ = true; }
 
  private:
+  void open() {
+    auto finder = vision::FaceFinder::open(robot_, model_);
+    if (finder) {
+      watch_.emplace(robot_, std::move(*finder));
+    } else {
+      trouble_ = finder.faults();
+    }
+  }
+
   RobotConfig robot_;
   std::string model_;
-  std::optional<Result<std::unique_ptr<vision::FaceFinder>>> finder_;
+  std::optional<vision::FaceWatch> watch_;
+  std::optional<Faults> trouble_;
+  std::atomic<bool> forget_{false};
 };
 
 constexpr double kTag_m = 0.1;  // the black square's side
@@ -60,13 +74,16 @@ class ThingFinder {
 
 robot::Detectors make_detectors(const RobotConfig& robot, const std::string& face_model) {
   const auto sonar = std::make_shared<vision::VisualSonar>(robot);
-  const auto faces = std::make_shared<LazyFaceFinder>(robot, face_model);
+  const auto faces = std::make_shared<LazyFaceWatch>(robot, face_model);
   const auto things = std::make_shared<ThingFinder>(robot);
   robot::Detectors out;
   out.sonar = [sonar](const Frame& frame, const NeckAngles& neck, const Pose2& X_OR) {
     return sonar->look(frame, neck, X_OR);
   };
-  out.faces = [faces](const Frame& frame, const NeckAngles& neck) { return faces->find(frame, neck); };
+  out.faces = [faces](const Frame& frame, const NeckAngles& neck, const Pose2& X_OR) {
+    return faces->look(frame, neck, X_OR);
+  };
+  out.forget_faces = [faces] { faces->forget(); };
   out.things = [things](const Frame& frame, const NeckAngles& neck, const Pose2& X_OR) {
     return things->find(frame, neck, X_OR);
   };

@@ -12,9 +12,11 @@ struct Detectors {
   /// Picture, neck and odometry at the exposure.
   std::function<SonarPercept(const Frame&, const NeckAngles&, const Pose2&)> sonar;
   /// A fault in words when faces cannot be looked for at all. Live it is called on a thread of its own.
-  std::function<Result<FacesPercept>(const Frame&, const NeckAngles&)> faces;
+  std::function<Result<FacesPercept>(const Frame&, const NeckAngles&, const Pose2&)> faces;
   /// Tags and balls.
   std::function<ThingsPercept(const Frame&, const NeckAngles&, const Pose2&)> things;
+  /// Forgets the faces that are followed. Any thread.
+  std::function<void()> forget_faces;
   /// Forgets what was learnt about the floor.
   std::function<void()> forget_floor;
 };

@@ -13,10 +13,10 @@ FaceWorker::~FaceWorker() {
   thread_.join();
 }
 
-void FaceWorker::offer(const Frame& frame, const NeckAngles& neck) {
+void FaceWorker::offer(const Frame& frame, const NeckAngles& neck, const Pose2& X_OR) {
   {
     const std::lock_guard lock(mutex_);
-    job_ = Job{frame, neck};
+    job_ = Job{frame, neck, X_OR};
   }
   wake_.notify_one();
 }
@@ -36,7 +36,7 @@ void FaceWorker::run() {
     const Job job = std::move(*job_);
     job_.reset();
     lock.unlock();
-    Result<FacesPercept> found = find_(job.frame, job.neck);
+    Result<FacesPercept> found = find_(job.frame, job.neck, job.X_OR);
     lock.lock();
     answer_ = std::move(found);
   }

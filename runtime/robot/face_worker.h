@@ -14,14 +14,14 @@ namespace mirada::robot {
 /// neither blocks.
 class FaceWorker {
  public:
-  using Find = std::function<Result<FacesPercept>(const Frame&, const NeckAngles&)>;
+  using Find = std::function<Result<FacesPercept>(const Frame&, const NeckAngles&, const Pose2&)>;
 
   explicit FaceWorker(Find find);
   ~FaceWorker();
   FaceWorker(const FaceWorker&) = delete;
   FaceWorker& operator=(const FaceWorker&) = delete;
 
-  void offer(const Frame& frame, const NeckAngles& neck);
+  void offer(const Frame& frame, const NeckAngles& neck, const Pose2& X_OR);
   /// The newest answer that was not taken yet.
   std::optional<Result<FacesPercept>> take();
 
@@ -29,6 +29,7 @@ class FaceWorker {
   struct Job {
     Frame frame;
     NeckAngles neck;
+    Pose2 X_OR;
   };
   void run();
 

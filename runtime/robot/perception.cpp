@@ -45,16 +45,16 @@ void Perception::look(const Frame& frame, Micros now, const MotionHistory& histo
     const Micros due = timing_ == Timing::live ? now : now + latency_.sonar_us;
     things_due_.push_back({due, detectors_.things(frame, then.neck, then.X_OR)});
   }
-  if (needs_.faces && detectors_.faces) look_for_faces(frame, now, then.neck);
+  if (needs_.faces && detectors_.faces) look_for_faces(frame, now, then);
 }
 
-void Perception::look_for_faces(const Frame& frame, Micros now, const NeckAngles& neck) {
+void Perception::look_for_faces(const Frame& frame, Micros now, const MotionHistory::State& then) {
   if (face_worker_) {
-    face_worker_->offer(frame, neck);
+    face_worker_->offer(frame, then.neck, then.X_OR);
     return;
   }
   // One picture at a time, as the thread that does it live.
-  if (faces_due_.empty()) accept(detectors_.faces(frame, neck), now + latency_.faces_us);
+  if (faces_due_.empty()) accept(detectors_.faces(frame, then.neck, then.X_OR), now + latency_.faces_us);
 }
 
 void Perception::accept(Result<FacesPercept> found, Micros due) {
@@ -86,6 +86,7 @@ void Perception::publish(Micros now) {
 
 void Perception::forget() {
   if (detectors_.forget_floor) detectors_.forget_floor();
+  if (detectors_.forget_faces) detectors_.forget_faces();
   sonar_due_.clear();
   faces_due_.clear();
   things_due_.clear();

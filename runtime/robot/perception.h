@@ -63,7 +63,7 @@ class Perception {
   };
 
   void look(const Frame& frame, Micros now, const MotionHistory& history);
-  void look_for_faces(const Frame& frame, Micros now, const NeckAngles& neck);
+  void look_for_faces(const Frame& frame, Micros now, const MotionHistory::State& then);
   void accept(Result<FacesPercept> found, Micros due);
   void publish(Micros now);
 

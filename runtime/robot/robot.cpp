@@ -5,8 +5,6 @@
 namespace mirada::robot {
 namespace {
 constexpr std::size_t kMostNotes = 100;
-constexpr double kFaceWidth_m = 0.15;  // a head's; children's and grown-ups' differ by this share
-constexpr double kFaceShare = 0.3;
 }  // namespace
 
 Robot::Robot(RobotConfig config, const Devices& devices, Detectors detectors, Timing timing,
@@ -20,12 +18,14 @@ Robot::Robot(RobotConfig config, const Devices& devices, Detectors detectors, Ti
       perception_(devices.camera, std::move(detectors), config_.latency, timing),
       memory_(config_),
       watch_(gaze_, config_),
-      pilot_(motion_, watch_, config_) {}
+      pilot_(motion_, watch_, config_),
+      follower_(motion_, gaze_, watch_, config_) {}
 
 void Robot::observe() {
   if (devices_.drive != nullptr) odometry_ = devices_.drive->odometry();
   history_.record(now(), {odometry_.X_OR, gaze_.state(now()).angles});
   if (perception_.step(now(), history_)) safety_.frame_seen(now() - perception_.frame().t_exposure);
+  if (const FacesPercept* seen = faces(); seen != nullptr && !seen->faces.empty()) met_face_ = true;
   memory_.moved(now(), odometry_.X_OR);
   if (!perception_.needs().memory) return;
   remember();
@@ -48,13 +48,12 @@ void Robot::remember_things() {
   }
   if (seen.faces.frame == remembered_faces_) return;
   remembered_faces_ = seen.faces.frame;
-  if (seen.faces.faces.empty()) return;
+  if (seen.faces.faces.empty() || seen.faces.faces.front().predicted) return;
   const FacePercept& face = seen.faces.faces.front();
-  const double focal_px = config_.camera.fx_px * seen.faces.picture_width_px / config_.camera.width_px;
   ThingSeen thing;
   thing.bearing_rad = face.bearing_rad;
-  thing.distance_m = kFaceWidth_m * focal_px / std::max(face.w_px, 1.0);
-  thing.sigma_m = kFaceShare * thing.distance_m;
+  thing.distance_m = face.distance_m;
+  thing.sigma_m = face.sigma_m;
   memory_.observe(thing, history_.at(seen.faces.t_exposure).X_OR, seen.faces.t_exposure);
 }
 
@@ -65,6 +64,7 @@ Recall Robot::obstacle_at(double bearing_rad) const {
 Safety::Verdict Robot::act() {
   if (!motion_.paused()) attend();
   pilot_.step(now(), memory_);
+  follower_.step({now(), odometry_.X_OR, faces()}, memory_);
   return motion_.step(now(), odometry_);
 }
 
@@ -80,7 +80,8 @@ void Robot::attend() {
 
 Needs Robot::own_needs() const {
   Needs needs;
-  needs.faces = watch_.keeping() == memory::Watching::face;
+  needs.faces = watch_.keeping() == memory::Watching::face || follower_.active();
+  needs.memory = needs.sonar = follower_.drives();
   return needs;
 }
 
@@ -104,6 +105,8 @@ std::vector<Note> Robot::take_notes() { return std::exchange(notes_, {}); }
 void Robot::forget() {
   memory_.forget();
   watch_.rest();
+  follower_.stop();
+  met_face_ = false;
   history_.clear();
   perception_.forget();
 }

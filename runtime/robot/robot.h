@@ -5,6 +5,7 @@
 
 #include "hal/neck.h"
 #include "memory/visual_memory.h"
+#include "robot/follower.h"
 #include "robot/gaze.h"
 #include "robot/motion.h"
 #include "robot/perception.h"
@@ -53,8 +54,13 @@ class Robot {
   Needs own_needs() const;
   SonarView sonar() const;
   Pilot& pilot() { return pilot_; }
+  Follower& follower() { return follower_; }
+  const Follower& follower() const { return follower_; }
   /// Where a run began, in O: what "where I started" means.
-  void mark_start() { X_OS_ = odometry_.X_OR; }
+  void mark_start() {
+    X_OS_ = odometry_.X_OR;
+    met_face_ = false;
+  }
   const Pose2& start_pose() const { return X_OS_; }
   Watch& watch() { return watch_; }
   const Watch& watch() const { return watch_; }
@@ -64,6 +70,8 @@ class Robot {
   Recall obstacle_at(double bearing_rad) const;
   /// The newest faces, or null when they are too old to say anything.
   const FacesPercept* faces() const;
+  /// Whether a face has been seen since the run began.
+  bool met_face() const { return met_face_; }
 
   void note(const std::string& block, Fault fault);
   std::vector<Note> take_notes();
@@ -87,6 +95,8 @@ class Robot {
   memory::VisualMemory memory_;
   Watch watch_;
   Pilot pilot_;
+  Follower follower_;
+  bool met_face_ = false;
   Pose2 X_OS_;
   std::uint64_t remembered_frame_ = 0;
   std::uint64_t remembered_things_ = 0;

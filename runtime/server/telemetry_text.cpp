@@ -49,23 +49,36 @@ std::string sonar_text(const SonarPercept& sonar) {
   return out + "]}";
 }
 
-std::string faces_text(const FacesPercept& percept) {
+json face_json(const FacePercept& face) {
+  return {{"id", face.id},
+          {"x", face.x_px},
+          {"y", face.y_px},
+          {"w", face.w_px},
+          {"h", face.h_px},
+          {"score", face.score},
+          {"bearing_deg", deg(face.bearing_rad)},
+          {"distance_m", face.distance_m},
+          {"sigma_m", face.sigma_m},
+          {"predicted", face.predicted},
+          {"name", face.name}};
+}
+
+std::string faces_text(const session::Telemetry& telemetry) {
+  if (!telemetry.percepts) return "null";
+  const FacesPercept& percept = telemetry.percepts->faces;
   if (percept.frame == 0) return "null";
   json faces = json::array();
-  for (const FacePercept& face : percept.faces) {
-    faces.push_back({{"x", face.x_px},
-                     {"y", face.y_px},
-                     {"w", face.w_px},
-                     {"h", face.h_px},
-                     {"score", face.score},
-                     {"bearing_deg", deg(face.bearing_rad)}});
-  }
+  json bodies = json::array();
+  for (const FacePercept& face : percept.faces) faces.push_back(face_json(face));
+  for (const FacePercept& body : percept.bodies) bodies.push_back(face_json(body));
   return dump({{"frame", percept.frame},
                {"t_us", percept.t_exposure},
                {"width", percept.picture_width_px},
                {"height", percept.picture_height_px},
                {"detector", percept.detector},
-               {"faces", faces}});
+               {"faces", faces},
+               {"bodies", bodies},
+               {"follow", {{"state", telemetry.follow_state}, {"id", telemetry.follow_id}}}});
 }
 
 json lists_to_json(const std::map<std::string, std::vector<vm::MonitorValue>>& lists) {
@@ -129,7 +142,7 @@ TelemetryText::TelemetryText(const session::Telemetry& telemetry)
     : time_(std::to_string(telemetry.t)),
       base_(base_text(telemetry)),
       sonar_(telemetry.percepts ? sonar_text(telemetry.percepts->sonar) : "null"),
-      faces_(telemetry.percepts ? faces_text(telemetry.percepts->faces) : "null"),
+      faces_(faces_text(telemetry)),
       scene_(telemetry.scene_json.empty() ? "null" : telemetry.scene_json),
       memory_(telemetry.memory ? memory_text(*telemetry.memory) : "null") {}
 

@@ -91,6 +91,8 @@ void RunHash::percepts(const Percepts& percepts) {
   for (const FacePercept& face : percepts.faces.faces) {
     for (const double value : {face.x_px, face.y_px, face.w_px, face.h_px}) number(value, kPixel);
     number(face.bearing_rad, kRadian);
+    number(face.distance_m, kMetre);
+    impl_->add(face.id);
   }
 }
 

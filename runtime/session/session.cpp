@@ -254,6 +254,8 @@ Telemetry Session::snapshot() const {
   out.percepts = fresh_percepts();
   out.X_OR = robot_->odometry().X_OR;
   out.neck = robot_->gaze().state(robot_->now()).angles;
+  out.follow_state = robot::to_string(robot_->follower().state());
+  out.follow_id = robot_->follower().id();
   if (wanted_.memory) {
     auto memory = std::make_shared<memory::Snapshot>(memory::snapshot_of(robot_->memory()));
     memory->next = robot_->watch().next();

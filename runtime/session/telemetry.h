@@ -48,7 +48,9 @@ struct Telemetry {
   std::vector<SaidText> say_log;       ///< the newest 100 of this run
   std::vector<vm::BlockFault> faults;  ///< of this run, the newest 100
   std::shared_ptr<const Percepts> percepts;
-  Pose2 X_OR;  ///< odometry
+  std::string follow_state;  ///< following, predicted, searching, gone; "" when nobody is followed
+  int follow_id = 0;         ///< the number of the face that is followed
+  Pose2 X_OR;                ///< odometry
   NeckAngles neck;
   double left_mps = 0, right_mps = 0;              ///< commanded
   std::string camera_trouble_code;                 ///< "" when pictures come

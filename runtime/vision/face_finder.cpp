@@ -1,34 +1,17 @@
 #include "vision/face_finder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <tuple>
 #include <variant>
 
 #include "vision/faces/face_net.h"
+#include "vision/faces/face_place.h"
 #include "vision/faces/haar_faces.h"
-#include "vision/ground_projection.h"
 #include "vision/messages.h"
 
 namespace mirada::vision {
 namespace {
-
-constexpr double kNominalDistance_m = 1.5;
-
-/// A face has no foot on the floor to measure: its bearing is that of a point on its ray as far away as
-/// people stand.
-double bearing_of(const Eigen::Vector3d& ray_R, const Eigen::Isometry3d& X_RC) {
-  const Eigen::Vector2d away = ray_R.head<2>().normalized();
-  const Eigen::Vector2d lens = X_RC.translation().head<2>();
-  // The point of the ray that lies kNominalDistance_m from the robot's origin.
-  const double along = lens.dot(away);
-  const double reach =
-      -along +
-      std::sqrt(std::max(0.0, along * along - lens.squaredNorm() + kNominalDistance_m * kNominalDistance_m));
-  const Eigen::Vector2d p = lens + reach * away;
-  return std::atan2(p.y(), p.x());
-}
 
 using Detector = std::variant<FaceNet, HaarFaces>;
 
@@ -38,6 +21,8 @@ class PlacingFaceFinder final : public FaceFinder {
       : robot_(robot), detector_(std::move(detector)), fallback_(std::move(fallback)) {}
 
   FacesPercept find(const Frame& frame, const NeckAngles& neck) override;
+  FacesPercept none(const Frame& frame) const override;
+  FacePercept place(const FaceBox& box, const Frame& frame, const NeckAngles& neck) const override;
   const std::optional<Fault>& fallback() const override { return fallback_; }
 
  private:
@@ -46,25 +31,24 @@ class PlacingFaceFinder final : public FaceFinder {
   std::optional<Fault> fallback_;
 };
 
-FacesPercept PlacingFaceFinder::find(const Frame& frame, const NeckAngles& neck) {
+FacesPercept PlacingFaceFinder::none(const Frame& frame) const {
   FacesPercept percept;
   percept.frame = frame.number;
   percept.t_exposure = frame.t_exposure;
   percept.detector = std::holds_alternative<FaceNet>(detector_) ? "ultraface" : "haar";
   percept.picture_width_px = frame.bgr.cols;
   percept.picture_height_px = frame.bgr.rows;
-  const CameraModel camera = robot_.camera.scaled_to(frame.bgr.cols, frame.bgr.rows);
-  const Eigen::Isometry3d X_RC = robot_.X_RC(neck);
-  for (const auto& [box, score] : std::visit([&](auto& find) { return find.find(frame.bgr); }, detector_)) {
-    FacePercept face{box.x, box.y, box.width, box.height};
-    face.score = score;
-    if (const auto ray_C = camera.unproject({face.x_px + face.w_px / 2, face.y_px + face.h_px / 2})) {
-      const Eigen::Vector3d ray_R = X_RC.linear() * *ray_C;
-      face.bearing_rad = bearing_of(ray_R, X_RC);
-      face.elevation_rad = std::atan2(ray_R.z(), ray_R.head<2>().norm());
-    }
-    percept.faces.push_back(face);
-  }
+  return percept;
+}
+
+FacePercept PlacingFaceFinder::place(const FaceBox& box, const Frame& frame, const NeckAngles& neck) const {
+  return place_face(box, robot_.camera.scaled_to(frame.bgr.cols, frame.bgr.rows), robot_.X_RC(neck));
+}
+
+FacesPercept PlacingFaceFinder::find(const Frame& frame, const NeckAngles& neck) {
+  FacesPercept percept = none(frame);
+  for (const FaceBox& box : std::visit([&](auto& finder) { return finder.find(frame.bgr); }, detector_))
+    percept.faces.push_back(place(box, frame, neck));
   std::sort(percept.faces.begin(), percept.faces.end(), [](const FacePercept& a, const FacePercept& b) {
     return std::tuple(-a.w_px, a.x_px, a.y_px) < std::tuple(-b.w_px, b.x_px, b.y_px);
   });

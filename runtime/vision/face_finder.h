@@ -7,6 +7,7 @@
 #include "model/frame.h"
 #include "model/percepts.h"
 #include "model/robot_config.h"
+#include "vision/faces/face_net.h"
 
 namespace mirada::vision {
 
@@ -18,6 +19,9 @@ class FaceFinder {
   static Result<std::unique_ptr<FaceFinder>> open(const RobotConfig& robot, const std::string& model = "");
   virtual ~FaceFinder() = default;
   virtual FacesPercept find(const Frame& frame, const NeckAngles& neck) = 0;
+  /// The answer for this picture, still without faces; and where a box of it lies.
+  virtual FacesPercept none(const Frame& frame) const = 0;
+  virtual FacePercept place(const FaceBox& box, const Frame& frame, const NeckAngles& neck) const = 0;
   /// Said when the plain cascade is used because there is no network.
   virtual const std::optional<Fault>& fallback() const = 0;
 };

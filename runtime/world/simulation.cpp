@@ -79,6 +79,7 @@ struct Simulation::Impl {
 
   void publish() {
     drive.publish({clock.now(), wheels.X_OR(), wheels.speed()});
+    truth.people = walkers.poses();
     truth.neck = neck.state().angles;
     truth.contacts = contacts.count();
     truth.touching = contacts.touching();

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hal/camera.h"
 #include "hal/drive.h"
@@ -21,6 +22,7 @@ struct Truth {
   int contacts = 0;
   int line_crossings = 0;
   bool touching = false;
+  std::vector<Pose2> people;  ///< as the room lists them
 };
 
 /// A robot in a room, stepped from outside (10 ms). The same (world, robot, seed, steps, commands) gives the

@@ -22,8 +22,16 @@ void Walkers::reset() {
 void Walkers::step(Micros dt, const Pose2& X_WR, double robot_reach_m) {
   for (std::size_t i = 0; i < people_.size(); ++i) {
     const PersonConfig& person = people_[i];
-    if (person.path_m.empty()) continue;
     Pose2& pose = poses_[i];
+    const double most = kTurn_radps * seconds(dt);
+    const auto turn_to = [&](double heading_rad) {
+      const double turn = wrap_rad(heading_rad - pose.heading_rad);
+      pose.heading_rad = wrap_rad(pose.heading_rad + std::clamp(turn, -most, most));
+      return std::abs(turn);
+    };
+    const Eigen::Vector2d apart_now(pose.x_m - X_WR.x_m, pose.y_m - X_WR.y_m);
+    if (person.watches_robot) turn_to(std::atan2(-apart_now.y(), -apart_now.x()));
+    if (person.path_m.empty()) continue;
     const Eigen::Vector2d target = person.path_m[walks_[i].next];
     const Eigen::Vector2d way = target - Eigen::Vector2d(pose.x_m, pose.y_m);
     const double left_m = way.norm();
@@ -31,14 +39,10 @@ void Walkers::step(Micros dt, const Pose2& X_WR, double robot_reach_m) {
       walks_[i].next = (walks_[i].next + 1) % person.path_m.size();
       continue;
     }
-    const double turn = wrap_rad(std::atan2(way.y(), way.x()) - pose.heading_rad);
-    const double most = kTurn_radps * seconds(dt);
-    pose.heading_rad = wrap_rad(pose.heading_rad + std::clamp(turn, -most, most));
-    if (std::abs(turn) > 0.35) continue;
+    if (!person.watches_robot && turn_to(std::atan2(way.y(), way.x())) > 0.35) continue;
     const Eigen::Vector2d stride = way / left_m * std::min(left_m, person.speed_mps * seconds(dt));
-    const Eigen::Vector2d now_apart(pose.x_m - X_WR.x_m, pose.y_m - X_WR.y_m);
-    const double apart = (now_apart + stride).norm();
-    if (apart < robot_reach_m + person.radius_m + kPolite_m && apart < now_apart.norm()) continue;
+    const double apart = (apart_now + stride).norm();
+    if (apart < robot_reach_m + person.radius_m + kPolite_m && apart < apart_now.norm()) continue;
     pose.x_m += stride.x();
     pose.y_m += stride.y();
   }

@@ -55,7 +55,8 @@ struct WallConfig {
   bool pictures = false;  ///< hang pictures along it
 };
 
-enum class BoxLook { plain, wood, cardboard, books, drawers, crate };
+/// poster: a printed face as large as life on its long sides, near the top.
+enum class BoxLook { plain, wood, cardboard, books, drawers, crate, poster };
 struct BoxConfig {
   Pose2 X_WB;
   double length_m = 0.3;  ///< along its x
@@ -84,6 +85,7 @@ struct PersonConfig {
   Colour skin{224, 180, 150};
   std::vector<Eigen::Vector2d> path_m;  ///< corners to walk to, in turn, for ever
   double speed_mps = 0.3;
+  bool watches_robot = false;  ///< looks at the robot wherever they walk, backwards too
 };
 
 struct LightConfig {

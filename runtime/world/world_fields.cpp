@@ -176,7 +176,7 @@ BoxConfig read_box(JsonReader reader) {
   out.length_m = reader.number("length_m", 0.01, 20);
   out.width_m = reader.number("width_m", 0.01, 20);
   out.height_m = reader.number("height_m", 0.01, 5);
-  out.look = look_of<BoxLook>(reader, {"plain", "wood", "cardboard", "books", "drawers", "crate"});
+  out.look = look_of<BoxLook>(reader, {"plain", "wood", "cardboard", "books", "drawers", "crate", "poster"});
   out.colour = read_colour(reader, "colour", out.colour);
   return out;
 }
@@ -195,7 +195,7 @@ CylinderConfig read_cylinder(JsonReader reader) {
 
 PersonConfig read_person(JsonReader reader) {
   reader.only({"x_m", "y_m", "heading_deg", "height_m", "radius_m", "shirt_colour", "hair_colour",
-               "skin_colour", "path", "speed_mps"});
+               "skin_colour", "path", "speed_mps", "watches_robot"});
   PersonConfig out;
   out.X_WP = read_pose(reader);
   out.height_m = reader.number_or("height_m", 0.25, 2.2, out.height_m);
@@ -205,6 +205,7 @@ PersonConfig read_person(JsonReader reader) {
   out.skin = read_colour(reader, "skin_colour", out.skin);
   out.path_m = read_points(reader, "path", 0, 100);
   out.speed_mps = reader.number_or("speed_mps", 0.01, 1.5, out.speed_mps);
+  out.watches_robot = reader.truth_or("watches_robot", false);
   return out;
 }
 

@@ -13,6 +13,7 @@
 #include "see_messages.h"
 #include "see_report.h"
 #include "vision/face_finder.h"
+#include "vision/faces/face_tracker.h"
 #include "vision/overlay.h"
 #include "vision/visual_sonar.h"
 
@@ -20,6 +21,7 @@ namespace mirada {
 namespace {
 
 constexpr int kBadInput = 2;
+constexpr Micros kFramePeriod = 40 * kMillisecond;  // of videos, whatever they say
 
 struct SeeOptions {
   std::vector<std::string> files;
@@ -117,10 +119,13 @@ int look_at_all(SeeJob& job, const SeeOptions& options) {
   const NeckAngles neck{rad(options.pan_deg), rad(options.tilt_deg)};
   const bool many = job.sources.size() > 1 || job.sources.front().is_video();
   Frame frame;
+  vision::FaceTracker tracker(job.robot);
   for (PictureSource& source : job.sources) {
     sonar.forget();
+    tracker = vision::FaceTracker(job.robot);
     for (int index = 0; !(frame.bgr = source.next()).empty(); ++index) {
       ++frame.number;
+      frame.t_exposure = index * kFramePeriod;
       SeenPicture seen{source.file(),
                        source.is_video() ? index : -1,
                        frame.bgr.cols,
@@ -129,7 +134,10 @@ int look_at_all(SeeJob& job, const SeeOptions& options) {
                        {},
                        {}};
       seen.sonar = sonar.look(frame, neck, {});
-      if (job.faces) seen.faces = job.faces->find(frame, neck);
+      if (job.faces) {
+        seen.faces = job.faces->find(frame, neck);
+        tracker.follow(seen.faces, neck, {});
+      }
       const std::string text =
           options.json ? see_report(seen).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)
                        : see_words(seen, *lang_from(options.lang));

@@ -31,7 +31,11 @@ nlohmann::json face_json(const FacePercept& face, const std::string& detector) {
           {"h", tenth(face.h_px)},
           {"score", metres(face.score)},
           {"detector", detector},
-          {"bearing_deg", tenth(deg(face.bearing_rad))}};
+          {"bearing_deg", tenth(deg(face.bearing_rad))},
+          {"distance_m", metres(face.distance_m)},
+          {"sigma_m", metres(face.sigma_m)},
+          {"id", face.id},
+          {"state", face.predicted ? "predicted" : "seen"}};
 }
 
 }  // namespace

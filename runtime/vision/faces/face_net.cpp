@@ -19,6 +19,9 @@ constexpr double kSpread = 128;
 const cv::Size kSizes[] = {{320, 240}, {640, 480}};  // of its family; a file knows only one
 // Frontal faces of 24 px and more score above 0.9, false ones spread evenly from 0.5 to 1. Below 18 px a
 // patch of texture passes more easily for a face.
+constexpr double kDim = 70;  // mean grey level
+constexpr double kLit = 105;
+constexpr double kMostGain = 4;
 constexpr float kLeastScore = 0.85F;
 constexpr float kLeastSmallScore = 0.9F;
 constexpr double kSmall_px = 18;
@@ -110,6 +113,10 @@ std::vector<FaceBox> FaceNet::find(const cv::Mat& bgr) {
   } else {
     cv::resize(bgr, part, inner, 0, 0, scale < 1 ? cv::INTER_AREA : cv::INTER_LINEAR);
   }
+  // In dim light the network sees less than there is.
+  const cv::Scalar mean = cv::mean(part);
+  const double level = (mean[0] + mean[1] + mean[2]) / 3;
+  if (level < kDim) part.convertTo(part, -1, std::min(kLit / std::max(level, 1.0), kMostGain));
   cv::dnn::blobFromImage(fitted_, blob_, 1 / kSpread, {}, cv::Scalar::all(kMean), true);
   const std::optional<Answer2> answer = answer_of(net_, blob_);
   if (!answer) return {};

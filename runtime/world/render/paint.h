@@ -46,6 +46,8 @@ void light_gradient(cv::Mat& floor, const LightConfig& light);
 
 cv::Mat wall(const WallConfig& wall, double length_m, double px_per_m, Random& random);
 cv::Mat box_side(const BoxConfig& box, double length_m, double px_per_m, Random& random);
+/// A printed face, as large as life, with a white border; `out` is an upright side.
+void poster(cv::Mat& out, double px_per_m, Random& random);
 cv::Mat box_top(const BoxConfig& box, double px_per_m, Random& random);
 /// Unrolled about the axis, from behind, to the left seen from above.
 cv::Mat cylinder(const CylinderConfig& cylinder, double px_per_m, Random& random);

@@ -92,6 +92,24 @@ cv::Mat face(const PersonConfig& person, Random& random) {
   return out;
 }
 
+void poster(cv::Mat& out, double px_per_m, Random& random) {
+  constexpr double kWidth_m = 0.19;
+  constexpr double kHeight_m = 0.24;
+  constexpr double kBorder_m = 0.02;
+  const cv::Rect all({}, out.size());
+  const int w = cvRound(kWidth_m * px_per_m);
+  const int h = cvRound(kHeight_m * px_per_m);
+  const int border = cvRound(kBorder_m * px_per_m);
+  const cv::Rect print((out.cols - w) / 2, 2 * border, w, h);
+  const cv::Rect paper(print.x - border, print.y - border, w + 2 * border, h + 2 * border);
+  if ((paper & all) != paper) return;
+  PersonConfig printed;
+  printed.skin = mix({224, 180, 150}, {150, 100, 70}, random.uniform());
+  printed.hair = mix({70, 48, 32}, {25, 20, 18}, random.uniform());
+  out(paper).setTo(bgr({244, 244, 240}));
+  cv::resize(face(printed, random), out(print), print.size(), 0, 0, cv::INTER_AREA);
+}
+
 cv::Mat head_back(const PersonConfig& person, Random& random) {
   cv::Mat out = plain({kWidth, kHeight}, person.skin);
   cv::Mat mask(out.size(), CV_8U, cv::Scalar(255));

@@ -187,6 +187,9 @@ cv::Mat box_side(const BoxConfig& box, double length_m, double px_per_m, Random&
     case BoxLook::crate:
       crate(out, box.colour, random);
       break;
+    case BoxLook::poster:
+      poster(out, px_per_m, random);
+      break;
   }
   if (box.look == BoxLook::crate || box.look == BoxLook::drawers) grain(out, 6, 0.10, random);
   modulate(out, soft_noise(out.size(), 24, 4, random), 0.04);

@@ -173,18 +173,21 @@ void Stage::add_people(const WorldConfig& world, std::uint64_t seed) {
     const std::size_t first = rounds.size();
     const Vector2d at(person.X_WP.x_m, person.X_WP.y_m);
     tube(at, r, 0, 0.5 * h, paint::clothes(person, 0, 0.5, random));
-    // Shoulders: an ellipsoid's upper half on the trunk.
-    tube(at, r, 0.5 * h, 0.76 * h, paint::clothes(person, 0.5, 0.76, random));
+    // Heads differ little in size, whatever the height (docs/faces.md); a doll's is smaller.
+    const double head_size = 0.93 + 0.055 * h;
+    const double rz = std::min(0.12 * head_size, 0.145 * h);
+    const double rx = std::min(0.095 * head_size, 0.114 * h);
+    // Shoulders: an ellipsoid's upper half on the trunk, up to the chin.
+    const double top = h - 2 * rz + 0.05 * std::min(h, 1.2);
+    tube(at, r, 0.5 * h, top, paint::clothes(person, 0.5, top / h, random));
     Round& shoulders = rounds.back();
-    const double rise = 0.26 * h;
+    const double rise = top - 0.5 * h;
     const double k = r * r / (rise * rise);
     shoulders.a = float(r * r - k * 0.25 * h * h);
     shoulders.b = float(k * h);
     shoulders.c = float(-k);
     Round head = rounds.back();
-    const double middle = 0.855 * h;
-    const double rz = 0.145 * h;
-    const double rx = 0.114 * h;
+    const double middle = h - rz;
     const double q = rx * rx / (rz * rz);
     head.a = float(rx * rx - q * middle * middle);
     head.b = float(2 * q * middle);

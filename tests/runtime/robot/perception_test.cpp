@@ -21,7 +21,7 @@ class PerceptionTest : public ::testing::Test {
       percept.X_OR = X_OR;
       return percept;
     };
-    out.faces = [this](const Frame& frame, const NeckAngles&) -> Result<FacesPercept> {
+    out.faces = [this](const Frame& frame, const NeckAngles&, const Pose2&) -> Result<FacesPercept> {
       ++face_looks;
       if (faces_broken) return make_fault("", messages::no_robot);
       FacesPercept percept;
@@ -122,14 +122,14 @@ TEST(FaceWorker, AnswersOnItsOwnThreadWithTheNewestPicture) {
   std::atomic<int> calls{0};
   std::uint64_t last = 0;
   {
-    FaceWorker worker([&](const Frame& frame, const NeckAngles&) -> Result<FacesPercept> {
+    FaceWorker worker([&](const Frame& frame, const NeckAngles&, const Pose2&) -> Result<FacesPercept> {
       if (std::this_thread::get_id() == caller) elsewhere = false;
       FacesPercept percept;
       percept.frame = frame.number;
       ++calls;
       return percept;
     });
-    for (std::uint64_t number = 1; number <= 50; ++number) worker.offer({cv::Mat(), 0, number}, {});
+    for (std::uint64_t number = 1; number <= 50; ++number) worker.offer({cv::Mat(), 0, number}, {}, {});
     while (last != 50) {
       if (const auto found = worker.take()) last = found->value().frame;
       std::this_thread::yield();

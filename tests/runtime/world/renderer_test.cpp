@@ -151,9 +151,9 @@ TEST(Renderer, PaintsFacesThatAreFound) {
     for (const double head_px : {30, 40, 60, 80, 100, 120}) {
       for (const double turned_deg : {180.0, 168.0, 192.0}) {
         Eigen::Isometry3d X_WC = at_origin(r);
-        X_WC.translation().z() = 0.9;
-        const Pose2 X_WP{X_WC.translation().x() + 0.25 * r.camera.fx_px / head_px, 0, rad(turned_deg)};
-        const auto middle = r.camera.project(X_WC.inverse() * Eigen::Vector3d(X_WP.x_m, 0, 0.93));
+        X_WC.translation().z() = 0.95;
+        const Pose2 X_WP{X_WC.translation().x() + 0.19 * r.camera.fx_px / head_px, 0, rad(turned_deg)};
+        const auto middle = r.camera.project(X_WC.inverse() * Eigen::Vector3d(X_WP.x_m, 0, 0.98));
         const bool found = face_found(cascade, renderer.render(X_WC, {X_WP}, looked), *middle);
         ++looked;
         seen += found;

@@ -68,6 +68,11 @@ export const en = {
   show_faces_plain: 'Faces (plain)',
   faces_plain:
     'I look for faces in the plain way (Haar). Start me with scripts/run while there is internet, and I get the better face model.',
+  metres_away: '{m} m',
+  follow_following: 'following',
+  follow_predicted: 'going by where they went',
+  follow_searching: 'searching',
+  follow_gone: 'I lost them. Show me a face and I go on.',
   nearest: 'nearest {cm} cm',
   not_trusted: 'I can’t see the floor here. Tilt the camera down a little.',
   camera_missing: 'There is no camera. Plug it in: I keep looking for it.',

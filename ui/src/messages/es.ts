@@ -69,6 +69,11 @@ export const es: Record<MessageKey, string> = {
   show_faces_plain: 'Caras (sencillo)',
   faces_plain:
     'Busco caras de la manera sencilla (Haar). Arráncame con scripts/run cuando haya internet y tendré el modelo de caras mejor.',
+  metres_away: '{m} m',
+  follow_following: 'siguiendo',
+  follow_predicted: 'va hacia donde iba',
+  follow_searching: 'buscando',
+  follow_gone: 'Lo he perdido. Enséñame una cara y sigo.',
   nearest: 'lo más cerca: {cm} cm',
   not_trusted: 'Aquí no veo el suelo. Inclina la cámara un poco hacia abajo.',
   camera_missing: 'No hay ninguna cámara. Conéctala: la sigo buscando.',

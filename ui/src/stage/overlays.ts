@@ -1,5 +1,5 @@
 /** What was seen, drawn on the live picture in its pack's hue. */
-import type { Answer, Faces, Sonar } from '../wire/protocol';
+import type { Answer, Sonar } from '../wire/protocol';
 
 type Pen = CanvasRenderingContext2D;
 type Boundary = Sonar['boundary'];
@@ -73,17 +73,4 @@ export function drawLabel(pen: Pen, text: string, x: number, y: number, colour: 
   pen.fillStyle = '#1f2a44';
   pen.textBaseline = 'middle';
   pen.fillText(text, left + 8, top + 13);
-}
-
-export function drawFaces(pen: Pen, faces: Faces, scale: number, colour: string): void {
-  for (const face of faces.faces) {
-    pen.beginPath();
-    pen.roundRect(face.x * scale, face.y * scale, face.w * scale, face.h * scale, 10);
-    pen.lineWidth = 5;
-    pen.strokeStyle = 'rgba(20, 26, 40, 0.55)';
-    pen.stroke();
-    pen.lineWidth = 3;
-    pen.strokeStyle = colour;
-    pen.stroke();
-  }
 }

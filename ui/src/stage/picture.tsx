@@ -4,7 +4,8 @@ import { type MessageKey, lang, t } from '../messages';
 import { editor } from '../state/editor';
 import { panels, togglePanel } from '../state/panels';
 import { picture, telemetry } from '../state/robot';
-import { drawBoundary, drawFaces, drawLabel, nearest, nearestPoint } from './overlays';
+import { drawFaces } from './faces_draw';
+import { drawBoundary, drawLabel, nearest, nearestPoint } from './overlays';
 import { sharpPen } from './sharp_canvas';
 
 function hueOf(percept: string): string {

@@ -48,13 +48,33 @@ export interface Sonar {
   boundary: [u: number, v: number, answer: Answer][];
 }
 
+export type FollowState = '' | 'following' | 'predicted' | 'searching' | 'gone';
+
+export interface Face {
+  id: number;
+  x: number;
+  y: number;
+  w: number;
+  h: number;
+  score: number;
+  bearing_deg: number;
+  distance_m: number;
+  sigma_m: number;
+  /** Not seen in this picture: where it should be. */
+  predicted: boolean;
+  name: string;
+}
+
 export interface Faces {
   frame: number;
   t_us: number;
   width: number;
   height: number;
   detector: string;
-  faces: { x: number; y: number; w: number; h: number; score: number; bearing_deg: number }[];
+  faces: Face[];
+  /** People followed by what they wear while their face is not seen. */
+  bodies: Face[];
+  follow: { state: FollowState; id: number };
 }
 
 export type Point = [x: number, y: number];

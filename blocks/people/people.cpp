@@ -1,0 +1,102 @@
+#include <algorithm>
+
+#include "blocks/call_checks.h"
+#include "blocks/motion/moving.h"
+#include "model/angles.h"
+
+namespace mirada::blocks {
+namespace {
+
+constexpr double kPictureWidth = 320;  // Scratch's units, whatever the picture's size
+constexpr double kPictureHeight = 240;
+constexpr double kNearest_cm = 40;
+constexpr double kFarthest_cm = 300;
+
+double round_to_tenth(double value) { return std::round(value * 10) / 10 + 0.0; }
+
+/// Why no faces can be looked for, as a warning on the block.
+void explain(robot::Robot& robot, const NativeCall& call) {
+  if (const auto& trouble = robot.perception().faces_trouble()) robot.note(call.block(), *trouble);
+}
+
+NativeResult count(robot::Robot& robot, NativeCall& call) {
+  explain(robot, call);
+  const FacesPercept* faces = robot.faces();
+  return NativeResult::of(faces == nullptr ? 0.0 : static_cast<double>(faces->faces.size()));
+}
+
+/// The n-th face now, the largest first, or null.
+const FacePercept* nth_face(const FacesPercept* faces, double n) {
+  if (faces == nullptr || !(n >= 1) || n > static_cast<double>(faces->faces.size())) return nullptr;
+  return &faces->faces[static_cast<std::size_t>(n) - 1];
+}
+
+NativeResult face_value(robot::Robot& robot, NativeCall& call) {
+  explain(robot, call);
+  const FacesPercept* faces = robot.faces();
+  const FacePercept* face = nth_face(faces, call.number(0));
+  const std::string what = call.text(1);
+  if (what == "name") return NativeResult::of(face == nullptr ? std::string() : face->name);
+  if (face == nullptr) return NativeResult::of(0.0);
+  const double across = kPictureWidth / faces->picture_width_px;
+  const double down = kPictureHeight / faces->picture_height_px;
+  const auto tenth = [](double value) { return NativeResult::of(round_to_tenth(value)); };
+  if (what == "x") return tenth((face->x_px + face->w_px / 2) * across - kPictureWidth / 2);
+  if (what == "y") return tenth(kPictureHeight / 2 - (face->y_px + face->h_px / 2) * down);
+  if (what == "size") return tenth(face->w_px * across);
+  if (what == "direction") return tenth(bearing_to_block(face->bearing_rad));
+  if (what == "distance") return tenth(face->distance_m * 100);
+  if (what == "error") return tenth(2 * face->sigma_m * 100);
+  return NativeResult::of(static_cast<double>(face->id));
+}
+
+NativeResult appears(robot::Robot& robot, NativeCall&) {
+  const FacesPercept* faces = robot.faces();
+  return NativeResult::of(faces != nullptr && !faces->faces.empty());
+}
+
+NativeResult goes(robot::Robot& robot, NativeCall&) {
+  const FacesPercept* faces = robot.faces();
+  return NativeResult::of(robot.met_face() && (faces == nullptr || faces->faces.empty()));
+}
+
+NativeResult follow_face(robot::Robot& robot, NativeCall& call) {
+  explain(robot, call);
+  if (auto why = cannot_move(robot)) return *why;
+  robot.follower().face(owner_of(call));
+  return NativeResult::finished();
+}
+
+NativeResult follow_person(robot::Robot& robot, NativeCall& call) {
+  explain(robot, call);
+  if (auto why = cannot_move(robot)) return *why;
+  const double distance_cm = call.number(0);
+  if (auto why = refused(distance_cm, kNearest_cm, kFarthest_cm, "cm")) return *why;
+  robot.follower().person(distance_cm / 100, owner_of(call));
+  return NativeResult::finished();
+}
+
+NativeResult stop_following(robot::Robot& robot, NativeCall&) {
+  robot.follower().stop();
+  return NativeResult::finished();
+}
+
+NativeResult following(robot::Robot& robot, NativeCall&) {
+  const robot::FollowState state = robot.follower().state();
+  return NativeResult::of(state == robot::FollowState::following || state == robot::FollowState::predicted);
+}
+
+}  // namespace
+
+void add_people_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>& link) {
+  table["people_count"] = with_robot(link, count);
+  table["people_face"] = with_robot(link, face_value);
+  table["people_when_appears"] = with_robot(link, appears);
+  table["people_when_goes"] = with_robot(link, goes);
+  table["people_follow_face"] = with_robot(link, follow_face);
+  table["people_follow_person"] = with_robot(link, follow_person);
+  table["people_stop_following"] = with_robot(link, stop_following);
+  table["people_following"] = with_robot(link, following);
+}
+
+}  // namespace mirada::blocks

@@ -1,0 +1,168 @@
+#include "vision/faces/body_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <opencv2/imgproc.hpp>
+
+namespace mirada::vision {
+namespace {
+
+constexpr int kSmallWidth_px = 160;
+// The trunk below a face, in the face's widths and heights.
+constexpr double kTrunkFrom = 1.45;
+constexpr double kTrunkTo = 2.9;
+constexpr double kTrunkHalf = 0.8;
+constexpr double kRingHalf = 2.6;
+constexpr float kFades = 0.85F;  // of what was learnt, a look
+constexpr int kClothesLooks = 2;
+constexpr double kTellable = 0.62;  // mean likelihood on the own clothes
+constexpr double kClothesLike = 0.5;
+constexpr double kClothesSearch_px = 14;  // in the small picture
+constexpr double kClothesSearchShare = 0.8;
+constexpr double kTrunkVisible = 0.45;
+constexpr int kTrunkSide_px = 4;
+constexpr float kFew = 1e-4F;
+
+cv::Rect2d trunk_of(const FacePercept& face, double half) {
+  const double middle = face.x_px + face.w_px / 2;
+  return {middle - half * face.w_px, face.y_px + kTrunkFrom * face.h_px, 2 * half * face.w_px,
+          (kTrunkTo - kTrunkFrom) * face.h_px};
+}
+
+}  // namespace
+
+void BodyTracker::look(const cv::Mat& bgr) {
+  picture_ = bgr.size();
+  scale_ = std::max(1.0, static_cast<double>(bgr.cols) / kSmallWidth_px);
+  cv::resize(bgr, small_, {}, 1 / scale_, 1 / scale_, cv::INTER_AREA);
+  cv::cvtColor(small_, lab_, cv::COLOR_BGR2Lab);
+  bins_.create(lab_.size(), CV_16U);
+  for (int y = 0; y < lab_.rows; ++y) {
+    const auto* pixel = lab_.ptr<cv::Vec3b>(y);
+    auto* bin = bins_.ptr<std::uint16_t>(y);
+    for (int x = 0; x < lab_.cols; ++x) {
+      const int a = std::clamp((pixel[x][1] - 64) / 8, 0, 15);
+      const int b = std::clamp((pixel[x][2] - 64) / 8, 0, 15);
+      bin[x] = static_cast<std::uint16_t>(pixel[x][0] / 32 * 256 + a * 16 + b);
+    }
+  }
+}
+
+cv::Rect BodyTracker::in_small(const cv::Rect2d& box) const {
+  const cv::Rect out(cvRound(box.x / scale_), cvRound(box.y / scale_),
+                     std::max(1, cvRound(box.width / scale_)), std::max(1, cvRound(box.height / scale_)));
+  return out & cv::Rect({}, bins_.size());
+}
+
+void BodyTracker::count(const cv::Mat& bins, std::vector<float>& into) {
+  if (bins.empty()) return;
+  for (float& share : into) share *= kFades;
+  const float one = (1 - kFades) / static_cast<float>(bins.total());
+  for (int y = 0; y < bins.rows; ++y) {
+    const auto* bin = bins.ptr<std::uint16_t>(y);
+    for (int x = 0; x < bins.cols; ++x) into[bin[x]] += one;
+  }
+}
+
+/// How likely each colour is theirs. Lighter and darker shades of it count too:
+/// a back is lit otherwise.
+void BodyTracker::settle(Clothes& clothes) {
+  for (int i = 0; i < kBins; ++i) {
+    const auto at = [&](const std::vector<float>& of, int j) {
+      return j >= 0 && j < kBins ? of[static_cast<std::size_t>(j)] : 0.F;
+    };
+    const auto spread = [&](const std::vector<float>& of) {
+      float sum = at(of, i) + 0.5F * (at(of, i - 256) + at(of, i + 256));
+      for (const int j : {i - 1, i + 1, i - 16, i + 16}) sum += 0.25F * at(of, j);
+      return sum;
+    };
+    const float mine = spread(clothes.mine);
+    clothes.likely[static_cast<std::size_t>(i)] = mine / (mine + spread(clothes.around) + kFew);
+  }
+}
+
+void BodyTracker::learn(const FacePercept& face) {
+  const cv::Rect2d whole = trunk_of(face, kTrunkHalf);
+  const cv::Rect trunk = in_small(whole);
+  if (trunk.area() * scale_ * scale_ < 0.7 * whole.area() || trunk.width < kTrunkSide_px) return;
+  Clothes& clothes = people_[face.id];
+  count(bins_(trunk), clothes.mine);
+  const cv::Rect ring = in_small(trunk_of(face, kRingHalf));
+  const cv::Rect left(ring.x, ring.y, std::max(0, trunk.x - trunk.width / 3 - ring.x), ring.height);
+  const int right_x = trunk.x + trunk.width + trunk.width / 3;
+  const cv::Rect right(right_x, ring.y, std::max(0, ring.x + ring.width - right_x), ring.height);
+  for (const cv::Rect& side : {left, right})
+    if (side.area() > 0) count(bins_(side), clothes.around);
+  settle(clothes);
+  ++clothes.looks;
+  clothes.tellable = clothes.looks >= kClothesLooks && cv::mean(likelihood(clothes, trunk))[0] >= kTellable;
+  const auto body = find(face);
+  if (!body || face.distance_m <= 0) return;
+  const double width_px_m = body->width_px * face.distance_m;
+  clothes.width_px_m += (clothes.width_px_m == 0 ? 1 : 0.2) * (width_px_m - clothes.width_px_m);
+}
+
+cv::Mat BodyTracker::likelihood(const Clothes& clothes, const cv::Rect& area) const {
+  cv::Mat out(area.size(), CV_32F);
+  for (int y = 0; y < area.height; ++y) {
+    const auto* bin = bins_.ptr<std::uint16_t>(area.y + y) + area.x;
+    auto* value = out.ptr<float>(y);
+    for (int x = 0; x < area.width; ++x) value[x] = clothes.likely[bin[x]];
+  }
+  return out;
+}
+
+std::optional<BodyTracker::Body> BodyTracker::find(const FacePercept& face) const {
+  const auto found = people_.find(face.id);
+  if (found == people_.end() || !found->second.tellable) return std::nullopt;
+  const cv::Rect2d whole = trunk_of(face, kTrunkHalf);
+  const double reach_px = scale_ * kClothesSearch_px + kClothesSearchShare * whole.width;
+  const cv::Rect area = in_small({whole.x - reach_px, whole.y, whole.width + 2 * reach_px, whole.height});
+  const int width = std::max(kTrunkSide_px, cvRound(whole.width / scale_));
+  if (area.width < width || area.height * scale_ < kTrunkVisible * whole.height) return std::nullopt;
+  // Columns: the trunk stands upright.
+  cv::Mat columns;
+  cv::reduce(likelihood(found->second, area), columns, 0, cv::REDUCE_AVG);
+  const auto* column = columns.ptr<float>();
+  double sum = std::accumulate(column, column + width, 0.0);
+  double best = sum;
+  int at = 0;
+  for (int x = 1; x + width <= area.width; ++x) {
+    sum += column[x + width - 1] - column[x - 1];
+    if (sum > best + 1e-6) {
+      best = sum;
+      at = x;
+    }
+  }
+  if (best / width < kClothesLike) return std::nullopt;
+  // Its middle: the centre of what is like it, in and about the window.
+  const int from = std::max(0, at - width / 3);
+  const int to = std::min(area.width, at + width + width / 3);
+  double weight = 0, moment = 0;
+  int wide = 0;
+  for (int x = from; x < to; ++x) {
+    const double w = column[x] > kClothesLike ? column[x] : 0;
+    weight += w;
+    wide += w > 0 ? 1 : 0;
+    moment += w * (x + 0.5);
+  }
+  const double middle = (area.x + moment / weight) * scale_;
+  return Body{{middle - whole.width / 2, area.y * scale_, whole.width, area.height * scale_},
+              wide * scale_,
+              best / width};
+}
+
+double BodyTracker::distance_m(int id, const Body& body) const {
+  const auto found = people_.find(id);
+  return found == people_.end() || body.width_px <= 0 ? 0 : found->second.width_px_m / body.width_px;
+}
+
+void BodyTracker::keep_only(const std::vector<int>& ids) {
+  std::erase_if(people_, [&](const auto& entry) {
+    return std::find(ids.begin(), ids.end(), entry.first) == ids.end();
+  });
+}
+
+}  // namespace mirada::vision

@@ -1,0 +1,58 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <vector>
+
+#include <opencv2/core.hpp>
+
+#include "model/percepts.h"
+
+namespace mirada::vision {
+
+/// Follows people by the colours of what they wear, learnt while their face was
+/// seen: for when they turn away. Less sure than a face, and only where the
+/// clothes differ from what is around them. One thread.
+class BodyTracker {
+ public:
+  struct Body {
+    cv::Rect2d box_px;    ///< of the trunk, in the picture's pixels
+    double width_px = 0;  ///< of what is like the clothes
+    double likeness = 0;  ///< 0..1
+  };
+
+  /// A new picture, BGR.
+  void look(const cv::Mat& bgr);
+  /// Somebody whose face is here in this picture.
+  void learn(const FacePercept& face);
+  /// The trunk of somebody learnt, near where it should be; `face`: where their
+  /// face should be, in or out of the picture.
+  std::optional<Body> find(const FacePercept& face) const;
+  /// How far away a body of this width is, by what was learnt; 0 = unknown.
+  double distance_m(int id, const Body& body) const;
+
+  void keep_only(const std::vector<int>& ids);
+  void forget() { people_.clear(); }
+
+ private:
+  static constexpr int kBins = 8 * 16 * 16;
+  struct Clothes {
+    std::vector<float> mine = std::vector<float>(kBins, 0.F);
+    std::vector<float> around = std::vector<float>(kBins, 0.F);
+    std::vector<float> likely = std::vector<float>(kBins, 0.F);
+    double width_px_m = 0;
+    int looks = 0;
+    bool tellable = false;
+  };
+
+  cv::Rect in_small(const cv::Rect2d& box_px) const;
+  cv::Mat likelihood(const Clothes& clothes, const cv::Rect& area) const;
+  static void count(const cv::Mat& bins, std::vector<float>& into);
+  static void settle(Clothes& clothes);
+
+  cv::Mat small_, lab_, bins_;
+  double scale_ = 1;  ///< small to picture
+  cv::Size picture_;
+  std::map<int, Clothes> people_;
+};
+
+}  // namespace mirada::vision

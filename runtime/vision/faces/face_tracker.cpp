@@ -1,0 +1,267 @@
+#include "vision/faces/face_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "vision/faces/face_place.h"
+
+namespace mirada::vision {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr Micros kForgetAfter = 4 * kSecond;
+constexpr Micros kForgetNewAfter = 250 * kMillisecond;  // seen once only
+constexpr int kSureLooks = 2;
+constexpr double kPush_mps2 = 1.2;      // how hard people start, stop and turn, one sigma
+constexpr double kBearing_rad = 0.012;  // how far a box's middle may be off
+constexpr double kRangeShare = 0.05;
+constexpr double kBodyBearing_rad = 0.03;
+constexpr double kBodyRangeShare = 0.12;
+constexpr double kNoRange_m = 3;
+constexpr double kStartSpeed_mps = 0.3;
+constexpr double kFastest_mps = 1.6;
+constexpr double kSpeedFades_s = 1.0;  // of a face that is not seen
+constexpr double kGate_rad = 0.06;     // beyond the face's own size
+constexpr double kGateSpeed_mps = 0.8;
+constexpr double kMostSizeRatio = 2.0;
+constexpr double kNearest_m = 0.1;
+
+double cross_range(const Vector3d& from_lens) { return std::max(from_lens.norm(), kNearest_m); }
+
+Vector3d to_O(const Vector3d& p_R, const Pose2& X_OR) {
+  const double c = std::cos(X_OR.heading_rad);
+  const double s = std::sin(X_OR.heading_rad);
+  return {X_OR.x_m + c * p_R.x() - s * p_R.y(), X_OR.y_m + s * p_R.x() + c * p_R.y(), p_R.z()};
+}
+
+Vector3d to_R(const Vector3d& p_O, const Pose2& X_OR) {
+  const double c = std::cos(X_OR.heading_rad);
+  const double s = std::sin(X_OR.heading_rad);
+  const double x = p_O.x() - X_OR.x_m;
+  const double y = p_O.y() - X_OR.y_m;
+  return {c * x + s * y, -s * x + c * y, p_O.z()};
+}
+
+double size_px(const FacePercept& face) { return std::sqrt(face.w_px * face.h_px); }
+
+}  // namespace
+
+FaceTracker::View FaceTracker::view(const FacesPercept& picture, const NeckAngles& neck,
+                                    const Pose2& X_OR) const {
+  return {robot_.camera.scaled_to(picture.picture_width_px, picture.picture_height_px), robot_.X_RC(neck),
+          X_OR};
+}
+
+void FaceTracker::predict(Track& track, Micros t) {
+  const double dt = std::clamp(seconds(t - track.t), 0.0, 5.0);
+  track.t = t;
+  if (dt == 0) return;
+  Eigen::Matrix4d step = Eigen::Matrix4d::Identity();
+  const Micros unseen = t - std::max(track.last_seen, track.last_body);
+  const double fade = unseen > FaceTracker::kHold ? std::exp(-dt / kSpeedFades_s) : 1;
+  step(0, 2) = step(1, 3) = dt;
+  step(2, 2) = step(3, 3) = fade;
+  track.state = step * track.state;
+  track.cov = step * track.cov * step.transpose();
+  const double q = kPush_mps2 * kPush_mps2;
+  for (const int axis : {0, 1}) {
+    track.cov(axis, axis) += q * dt * dt * dt * dt / 4;
+    track.cov(axis, axis + 2) += q * dt * dt * dt / 2;
+    track.cov(axis + 2, axis) += q * dt * dt * dt / 2;
+    track.cov(axis + 2, axis + 2) += q * dt * dt;
+  }
+}
+
+std::optional<FacePercept> FaceTracker::as_seen(const Track& track, const View& view) {
+  const Vector3d p_R = to_R({track.state[0], track.state[1], track.height_m}, view.X_OR);
+  const Vector3d p_C = view.X_RC.inverse() * p_R;
+  if (p_C.z() < kNearest_m) return std::nullopt;
+  const auto pixel = view.camera.project(p_C);
+  if (!pixel) return std::nullopt;
+  FacePercept face;
+  const double size = track.size_px_m / cross_range(p_C);
+  face.w_px = size / std::sqrt(track.shape);
+  face.h_px = size * std::sqrt(track.shape);
+  face.x_px = pixel->x() + 0.5 - face.w_px / 2;
+  face.y_px = pixel->y() + 0.5 - face.h_px / 2;
+  set_face_point_R(face, p_R, view.X_RC);
+  const Vector2d away = Vector2d(track.state[0] - view.X_OR.x_m, track.state[1] - view.X_OR.y_m).normalized();
+  const double along = std::sqrt(std::max(0.0, away.dot(track.cov.topLeftCorner<2, 2>() * away)));
+  face.sigma_m = std::hypot(along, kFaceSizeShare * face.distance_m);
+  face.id = track.id;
+  face.score = track.score;
+  face.p_O_m = track.state.head<2>();
+  face.v_O_mps = track.state.tail<2>();
+  face.age = track.t - track.last_seen;
+  return face;
+}
+
+/// One look at a place on the floor, with its noise along and across the line
+/// of sight.
+void FaceTracker::observe(Track& track, const Vector2d& p_O, const Vector2d& away, double along_m,
+                          double across_m) {
+  const Vector2d side(-away.y(), away.x());
+  const Eigen::Matrix2d noise =
+      along_m * along_m * away * away.transpose() + across_m * across_m * side * side.transpose();
+  const Eigen::Matrix2d sum = track.cov.topLeftCorner<2, 2>() + noise;
+  const Eigen::Matrix<double, 4, 2> gain = track.cov.leftCols<2>() * sum.inverse();
+  track.state += gain * (p_O - track.state.head<2>());
+  track.cov -= (gain * track.cov.topRows<2>()).eval();
+  const double speed = track.state.tail<2>().norm();
+  if (speed > kFastest_mps) track.state.tail<2>() *= kFastest_mps / speed;
+}
+
+void FaceTracker::correct(Track& track, const FacePercept& face, const View& view) const {
+  const Vector3d p_O = to_O(face_point_R(face, view.X_RC), view.X_OR);
+  const Vector2d away = Vector2d(p_O.x() - view.X_OR.x_m, p_O.y() - view.X_OR.y_m).normalized();
+  const double edge = std::hypot(kRangeShare, 0.8 / size_px(face)) * face.distance_m;
+  const double across = kBearing_rad * face.distance_m;
+  observe(track, p_O.head<2>(), away, edge, across);
+  track.height_m += 0.3 * (p_O.z() - track.height_m);
+  const double apart = cross_range(face_point_R(face, view.X_RC) - view.X_RC.translation());
+  track.size_px_m += 0.3 * (size_px(face) * apart - track.size_px_m);
+  track.shape += 0.3 * (face.h_px / face.w_px - track.shape);
+  track.score = face.score;
+  track.last_seen = track.t;
+  ++track.looks;
+}
+
+FaceTracker::Track FaceTracker::begin(const FacePercept& face, const View& view, Micros t) {
+  Track track;
+  track.id = next_id_++;
+  const Vector3d p_R = face_point_R(face, view.X_RC);
+  const Vector3d p_O = to_O(p_R, view.X_OR);
+  track.state << p_O.x(), p_O.y(), 0, 0;
+  const double spread = kFaceSizeShare * face.distance_m;
+  const double speed = kStartSpeed_mps * kStartSpeed_mps;
+  track.cov = Eigen::Vector4d(spread * spread, spread * spread, speed, speed).asDiagonal();
+  track.height_m = p_O.z();
+  track.size_px_m = size_px(face) * cross_range(p_R - view.X_RC.translation());
+  track.shape = face.h_px / face.w_px;
+  track.score = face.score;
+  track.t = track.last_seen = t;
+  track.looks = 1;
+  return track;
+}
+
+std::vector<FacePercept> FaceTracker::expected(const FacesPercept& picture, const NeckAngles& neck,
+                                               const Pose2& X_OR) const {
+  const View here = view(picture, neck, X_OR);
+  std::vector<FacePercept> out;
+  for (Track track : tracks_) {
+    predict(track, picture.t_exposure);
+    const auto face = as_seen(track, here);
+    if (!face) continue;
+    out.push_back(*face);
+  }
+  return out;
+}
+
+std::vector<int> FaceTracker::ids() const {
+  std::vector<int> out;
+  for (const Track& track : tracks_) out.push_back(track.id);
+  return out;
+}
+
+void FaceTracker::follow_bodies(const std::vector<BodySeen>& bodies, FacesPercept& seen,
+                                const NeckAngles& neck, const Pose2& X_OR) {
+  const View here = view(seen, neck, X_OR);
+  for (const BodySeen& body : bodies) {
+    const auto track =
+        std::find_if(tracks_.begin(), tracks_.end(), [&](const Track& t) { return t.id == body.id; });
+    if (track == tracks_.end() || track->last_seen == seen.t_exposure) continue;
+    const Vector2d now(track->state[0] - X_OR.x_m, track->state[1] - X_OR.y_m);
+    const double apart = body.distance_m > 0 ? body.distance_m : now.norm();
+    const double angle = X_OR.heading_rad + body.bearing_rad;
+    const Vector2d away(std::cos(angle), std::sin(angle));
+    const double range = body.distance_m > 0 ? kBodyRangeShare * apart : kNoRange_m;
+    observe(*track, Vector2d(X_OR.x_m, X_OR.y_m) + apart * away, away, range, kBodyBearing_rad * apart);
+    track->last_body = seen.t_exposure;
+    auto face = as_seen(*track, here);
+    if (!face) continue;
+    face->score = body.likeness;
+    face->predicted = true;
+    seen.bodies.push_back(*face);
+    std::erase_if(seen.faces, [&](const FacePercept& f) { return f.id == body.id && f.predicted; });
+  }
+}
+
+bool FaceTracker::met_one() const {
+  return std::any_of(tracks_.begin(), tracks_.end(),
+                     [](const Track& track) { return track.looks < kSureLooks; });
+}
+
+bool FaceTracker::lost_one() const {
+  return std::any_of(tracks_.begin(), tracks_.end(), [](const Track& track) {
+    return track.looks >= kSureLooks && track.t > track.last_seen && track.t - track.last_seen < kHold;
+  });
+}
+
+void FaceTracker::follow(FacesPercept& seen, const NeckAngles& neck, const Pose2& X_OR) {
+  const View here = view(seen, neck, X_OR);
+  struct Pair {
+    double cost;
+    std::size_t track, face;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    predict(tracks_[i], seen.t_exposure);
+    const Track& track = tracks_[i];
+    const Vector3d p_R = to_R({track.state[0], track.state[1], track.height_m}, X_OR);
+    const Vector3d from_lens = p_R - here.X_RC.translation();
+    const double lost_s = seconds(seen.t_exposure - track.last_seen);
+    for (std::size_t j = 0; j < seen.faces.size(); ++j) {
+      const Vector3d other = face_point_R(seen.faces[j], here.X_RC) - here.X_RC.translation();
+      const double angle = std::acos(std::clamp(from_lens.normalized().dot(other.normalized()), -1.0, 1.0));
+      const double gate = kGate_rad + kFaceSize_m / cross_range(from_lens) +
+                          kGateSpeed_mps * std::min(lost_s, 2.0) / cross_range(from_lens);
+      const double ratio = std::abs(std::log(cross_range(from_lens) / cross_range(other)));
+      const double cost = angle / gate + ratio / std::log(kMostSizeRatio);
+      if (angle < gate && ratio < std::log(kMostSizeRatio)) pairs.push_back({cost, i, j});
+    }
+  }
+  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+    return std::tuple(a.cost, a.track, a.face) < std::tuple(b.cost, b.track, b.face);
+  });
+  std::vector<bool> track_done(tracks_.size()), face_done(seen.faces.size());
+  for (const auto& [cost, i, j] : pairs) {
+    if (track_done[i] || face_done[j]) continue;
+    track_done[i] = face_done[j] = true;
+    FacePercept& face = seen.faces[j];
+    correct(tracks_[i], face, here);
+    if (const auto steady = as_seen(tracks_[i], here)) {
+      face.id = steady->id;
+      face.distance_m = steady->distance_m;
+      face.sigma_m = steady->sigma_m;
+      face.p_O_m = steady->p_O_m;
+      face.v_O_mps = steady->v_O_mps;
+    }
+  }
+  for (std::size_t j = 0; j < face_done.size(); ++j) {
+    if (face_done[j]) continue;
+    tracks_.push_back(begin(seen.faces[j], here, seen.t_exposure));
+    seen.faces[j].id = tracks_.back().id;
+    seen.faces[j].p_O_m = tracks_.back().state.head<2>();
+  }
+  std::erase_if(tracks_, [&](const Track& track) {
+    const Micros unseen = seen.t_exposure - std::max(track.last_seen, track.last_body);
+    return unseen > (track.looks < kSureLooks ? kForgetNewAfter : kForgetAfter);
+  });
+  for (const Track& track : tracks_) {
+    const Micros unseen = seen.t_exposure - track.last_seen;
+    if (unseen == 0 || unseen > kHold || track.looks < kSureLooks) continue;
+    auto face = as_seen(track, here);
+    if (!face) continue;
+    const double x = face->x_px + face->w_px / 2;
+    const double y = face->y_px + face->h_px / 2;
+    face->predicted = true;
+    // What left the picture is not seen any more.
+    if (x > 0 && y > 0 && x < seen.picture_width_px && y < seen.picture_height_px)
+      seen.faces.push_back(*face);
+  }
+}
+
+}  // namespace mirada::vision

@@ -1,0 +1,84 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "model/percepts.h"
+#include "model/robot_config.h"
+
+namespace mirada::vision {
+
+/// Gives faces their numbers and keeps them through short losses: each is a
+/// point above the floor of the odometry frame O with a speed, so that it stays
+/// itself while the neck and the robot move. One thread.
+class FaceTracker {
+ public:
+  explicit FaceTracker(const RobotConfig& robot) : robot_(robot) {}
+
+  /// Where the known faces should be in this picture, their boxes included; of
+  /// those out of view only where the box would be, unless it is behind the
+  /// camera.
+  std::vector<FacePercept> expected(const FacesPercept& picture, const NeckAngles& neck,
+                                    const Pose2& X_OR) const;
+
+  /// Numbers the faces of a picture and steadies their distance; adds, as
+  /// `predicted`, those that were there a moment ago. `looked`: the whole
+  /// picture was searched, so that a face that is not there has gone.
+  void follow(FacesPercept& seen, const NeckAngles& neck, const Pose2& X_OR);
+
+  /// Somebody seen by what they wear, whose face is not seen: their bearing
+  /// and, when > 0, distance.
+  struct BodySeen {
+    int id = 0;
+    double bearing_rad = 0;
+    double distance_m = 0;
+    double likeness = 0;
+  };
+  /// After follow(), of the same picture: puts them into seen.bodies.
+  void follow_bodies(const std::vector<BodySeen>& bodies, FacesPercept& seen, const NeckAngles& neck,
+                     const Pose2& X_OR);
+  std::vector<int> ids() const;
+
+  bool lost_one() const;
+  /// One was seen for the first time just now.
+  bool met_one() const;
+  void forget() { tracks_.clear(); }
+
+  /// How long a face that is no longer seen counts as being there.
+  static constexpr Micros kHold = 400 * kMillisecond;
+
+ private:
+  struct Track {
+    int id = 0;
+    Eigen::Vector4d state = Eigen::Vector4d::Zero();  ///< x, y, their speeds; O, m and m/s
+    Eigen::Matrix4d cov = Eigen::Matrix4d::Identity();
+    double height_m = 0;
+    double size_px_m = 0;  ///< box size (root of the area) times distance from the lens
+    double shape = 1.2;    ///< box height by width
+    double score = 0;
+    Micros t = 0;
+    Micros last_seen = 0;  ///< its face
+    Micros last_body = 0;
+    int looks = 0;
+  };
+  struct View {
+    CameraModel camera;
+    Eigen::Isometry3d X_RC;
+    Pose2 X_OR;
+  };
+
+  View view(const FacesPercept& picture, const NeckAngles& neck, const Pose2& X_OR) const;
+  static void predict(Track& track, Micros t);
+  static std::optional<FacePercept> as_seen(const Track& track, const View& view);
+  static void observe(Track& track, const Eigen::Vector2d& p_O, const Eigen::Vector2d& away, double along_m,
+                      double across_m);
+  void correct(Track& track, const FacePercept& face, const View& view) const;
+  Track begin(const FacePercept& face, const View& view, Micros t);
+
+  RobotConfig robot_;
+  std::vector<Track> tracks_;
+  int next_id_ = 1;
+};
+
+}  // namespace mirada::vision

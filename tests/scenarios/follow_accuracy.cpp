@@ -1,0 +1,42 @@
+// Follows a walker by chance in seed after seed and prints one JSON object: every run.
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "follow_run.h"
+
+int main(int argc, char** argv) {
+  using namespace mirada::scenarios;
+  CLI::App app{"Following somebody who walks, measured by the truth of the simulated room."};
+  std::uint64_t first = 1, seeds = 20;
+  double seconds = 60;
+  app.add_option("--first-seed", first)->capture_default_str();
+  app.add_option("--seeds", seeds)->capture_default_str();
+  app.add_option("--seconds", seconds)->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  const std::pair<const char*, Walk> walks[] = {{"faces the robot", {0.35, true, false, false}},
+                                                {"walks as people do", {0.3, false, false, false}},
+                                                {"passes behind a pillar", {0.3, true, true, false}},
+                                                {"faces printed on posters", {0.3, true, false, true}}};
+  nlohmann::json runs = nlohmann::json::array();
+  for (const auto& [name, walk] : walks) {
+    for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
+      const FollowRun run = run_follow(walk, seed, seconds);
+      runs.push_back({{"walk", name},
+                      {"seed", seed},
+                      {"speed_mps", walk.speed_mps},
+                      {"in_view", run.in_view_share},
+                      {"at_distance", run.at_distance_share},
+                      {"both", run.both_share},
+                      {"longest_out_s", run.longest_out_s},
+                      {"end_off_m", run.end_off_m},
+                      {"contacts", run.contacts},
+                      {"hash", run.hash}});
+      std::cerr << name << " " << seed << ": view " << run.in_view_share << " distance "
+                << run.at_distance_share << " out " << run.longest_out_s << " s, contacts " << run.contacts
+                << ", " << run.wall_s << " s\n";
+    }
+  }
+  std::cout << nlohmann::json{{"seconds", seconds}, {"runs", runs}}.dump(1) << "\n";
+}

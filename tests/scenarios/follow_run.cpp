@@ -1,0 +1,124 @@
+#include "follow_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.h"
+#include "rig/lockstep.h"
+#include "runtime/rig/program_text.h"
+
+namespace mirada::scenarios {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kHalfRoom_m = 4;
+constexpr double kWall_m = 1.3;  // the walker keeps off the walls
+constexpr double kStep_s = 0.01;
+
+std::string follow_program() {
+  using namespace rig;
+  const std::string loop = forever(block({"control_wait", "wait", number_input("DURATION", "1"), ""}));
+  const std::string follow =
+      block({"people_follow_person", "follow", number_input("DISTANCE", "100"), ""}, loop);
+  return program(flag(block({"looking_tilt_to", "tilt", number_input("ANGLE", "35"), ""}, follow)));
+}
+
+/// Corners by chance, none of them over the robot's head: each leg begins with a turn of at most 100 degrees.
+std::vector<Vector2d> way_by_chance(Vector2d at, double heading_rad, Random& random) {
+  std::vector<Vector2d> out;
+  while (out.size() < 40) {
+    const double turn = random.uniform(-rad(100), rad(100));
+    const double leg_m = random.uniform(0.8, 2.2);
+    const double next_rad = heading_rad + turn;
+    const Vector2d next = at + leg_m * Vector2d(std::cos(next_rad), std::sin(next_rad));
+    const double most = kHalfRoom_m - kWall_m;
+    if (std::max(std::abs(next.x()), std::abs(next.y())) > most) {
+      heading_rad = wrap_rad(heading_rad + rad(35));
+      continue;
+    }
+    heading_rad = next_rad;
+    at = next;
+    out.push_back(at);
+  }
+  return out;
+}
+
+}  // namespace
+
+world::WorldConfig follow_room(const Walk& walk, std::uint64_t seed) {
+  Random random(seed, "follow room");
+  world::WorldConfig room = *world::world_by_name("sala-1");
+  const double half = kHalfRoom_m;
+  room.bounds = {-half, -half, half, half};
+  room.lines.clear();
+  room.boxes.clear();
+  room.cylinders.clear();
+  room.people.clear();
+  room.walls = {{{{-half, -half}, {half, -half}, {half, half}, {-half, half}, {-half, -half}},
+                 2.4,
+                 world::WallLook::paint,
+                 {225, 218, 205}}};
+  room.X_WR_start = {-1, 0, 0};
+  world::PersonConfig person;
+  // Comes toward the robot first, so that it sees a face.
+  person.X_WP = {0.6, 0, rad(180)};
+  person.height_m = random.uniform(0.9, 1.1);  // whose faces a camera 20 cm high can see at 1 m
+  person.radius_m = 0.14;
+  const world::Colour shirts[] = {
+      {70, 110, 180}, {190, 60, 50}, {60, 140, 80}, {210, 160, 50}, {120, 70, 150}};
+  person.shirt = shirts[static_cast<std::size_t>(random.integer(0, 4))];
+  person.speed_mps = walk.speed_mps;
+  person.watches_robot = walk.watches_robot;
+  person.path_m = way_by_chance({0, 0}, random.uniform(-rad(70), rad(70)), random);
+  person.path_m.insert(person.path_m.begin(), {0, 0});
+  if (walk.pillar) {
+    // Behind a pillar, some steps aside, and on.
+    room.cylinders.push_back({{1.6, 0.9}, 0.22, 1.6, world::CylinderLook::plain, {150, 150, 160}});
+    person.path_m = {{1.2, -0.4}, {2.6, 0.2}, {2.6, 1.6}, {1.0, 2.2}, {-0.5, 1.5}};
+  }
+  if (walk.poster) {
+    room.boxes.push_back({{3.2, -1.5, rad(90)}, 0.5, 0.03, 1.25, world::BoxLook::poster, {225, 218, 205}});
+    room.boxes.push_back({{-3, 1.8, 0}, 0.5, 0.03, 1.2, world::BoxLook::poster, {225, 218, 205}});
+  }
+  room.people = {person};
+  return room;
+}
+
+FollowRun run_follow(const Walk& walk, std::uint64_t seed, double seconds, double settle_s) {
+  rig::LockstepOptions options;
+  options.world = follow_room(walk, seed);
+  options.robot = *robot_by_name("mirada-sim");
+  options.seed = seed;
+  options.seconds = seconds;
+  FollowRun run;
+  run.seed = seed;
+  int steps = 0, in_view = 0, at_distance = 0, both = 0;
+  double out_s = 0;
+  options.watch = [&](Micros t, const world::Truth& truth) {
+    const Vector2d to(truth.people[0].x_m - truth.X_WR.x_m, truth.people[0].y_m - truth.X_WR.y_m);
+    run.end_off_m = to.norm() - 1;
+    if (t < micros(settle_s)) return;
+    const double off = wrap_rad(std::atan2(to.y(), to.x()) - truth.X_WR.heading_rad - truth.neck.pan_rad);
+    const bool seen = std::abs(off) <= rad(10);
+    const bool near = to.norm() >= 0.8 && to.norm() <= 1.2;
+    ++steps;
+    in_view += seen;
+    at_distance += near;
+    both += seen && near;
+    out_s = seen ? 0 : out_s + kStep_s;
+    run.longest_out_s = std::max(run.longest_out_s, out_s);
+  };
+  const session::RunReport report = rig::run_lockstep(follow_program(), options);
+  const double all = std::max(steps, 1);
+  run.in_view_share = in_view / all;
+  run.at_distance_share = at_distance / all;
+  run.both_share = both / all;
+  run.status = to_string(report.status);
+  run.contacts = report.robot ? report.robot->contacts : 0;
+  run.wall_s = report.wall_s;
+  run.hash = report.hash;
+  return run;
+}
+
+}  // namespace mirada::scenarios

@@ -1,0 +1,36 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "world/world_config.h"
+
+namespace mirada::scenarios {
+
+/// What somebody who is followed does.
+struct Walk {
+  double speed_mps = 0.25;
+  bool watches_robot = true;  ///< shows their face all the time, or walks as people do
+  bool pillar = false;        ///< passes behind one
+  bool poster = false;        ///< a printed face hangs in the room
+};
+
+/// What the truth says of one run of *follow the person at 100 cm*.
+struct FollowRun {
+  std::uint64_t seed = 0;
+  double in_view_share = 0;      ///< of the time: within 10 degrees of the picture's middle
+  double at_distance_share = 0;  ///< within 0.8 and 1.2 m
+  double both_share = 0;
+  double longest_out_s = 0;  ///< longest time that they were not within 10 degrees
+  double end_off_m = 0;      ///< distance to them at the end, less the metre
+  int contacts = 0;
+  double wall_s = 0;
+  std::string status;
+  std::string hash;
+};
+
+/// The room: a walker who begins a metre before the robot and walks a way by chance.
+world::WorldConfig follow_room(const Walk& walk, std::uint64_t seed);
+/// The first `settle_s` seconds do not count.
+FollowRun run_follow(const Walk& walk, std::uint64_t seed, double seconds, double settle_s = 3);
+
+}  // namespace mirada::scenarios
