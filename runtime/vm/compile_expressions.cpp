@@ -178,7 +178,12 @@ Operand Compiler::text_operator(const Block& block) {
 
 Operand Compiler::variable(const Block& block) {
   const Place* place = place_of(block, "VARIABLE");
-  return place ? read(*place) : Operand{number_constant(0), Kind::number, type::number};
+  if (!place) return {number_constant(0), Kind::number, type::number};
+  if (!place->own || !block.field("ORIGINAL")) return read(*place);
+  const int index = types_.variable_of(block, "VARIABLE");
+  const std::int32_t sprite = program_.variables[static_cast<std::size_t>(index)].sprite;
+  return emit_to(place->kind, place->types, place->kind == Kind::number ? Op::load_of_n : Op::load_of_v,
+                 place->reg, sprite);
 }
 
 Operand Compiler::argument_reporter(const Block&, BlockIndex index) {

@@ -51,11 +51,7 @@ std::string message_key(std::string_view name) {
 }
 
 Compiler::Compiler(const Program& program, const std::vector<bool>& runs, CodeTables& tables)
-    : program_(program),
-      runs_(runs),
-      types_(program, runs),
-      tables_(tables),
-      effects_(find_effects(program)) {}
+    : program_(program), types_(program, runs), tables_(tables), effects_(find_effects(program)) {}
 
 std::int32_t Compiler::number_constant(double number) {
   const std::string key(reinterpret_cast<const char*>(&number), sizeof number);

@@ -119,7 +119,6 @@ class Compiler {
   }
 
   const Program& program_;
-  const std::vector<bool>& runs_;
   TypeTable types_;
   CodeTables& tables_;
   std::size_t globals_before_ = 0;

@@ -338,6 +338,14 @@ HANDLER(load_v) {
   A.v = t.thread->instance->slots[static_cast<std::size_t>(at->b)].v;
   return at + 1;
 }
+HANDLER(load_of_n) {
+  A.n = t.machine->instances[static_cast<std::size_t>(at->c)]->slots[static_cast<std::size_t>(at->b)].n;
+  return at + 1;
+}
+HANDLER(load_of_v) {
+  A.v = t.machine->instances[static_cast<std::size_t>(at->c)]->slots[static_cast<std::size_t>(at->b)].v;
+  return at + 1;
+}
 HANDLER(store_n) {
   t.thread->instance->slots[static_cast<std::size_t>(at->b)].n = A.n;
   return at + 1;

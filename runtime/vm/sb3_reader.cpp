@@ -3,6 +3,7 @@
 #include "vm/sb3_reader.h"
 
 #include <algorithm>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -176,26 +177,31 @@ void ProjectReader::find_cloned() {
   }
 }
 
-/// "[variable] of [sprite]" reads that sprite's own variable; what else a sprite can tell needs the stage.
+/// "[variable] of [sprite]" reads the variable of the sprite itself, whoever of its clones asks; 0 when it
+/// has none. What else a sprite can tell needs the stage.
 void ProjectReader::find_values_of_sprites() {
+  static const std::set<std::string> kOfTheStage = {
+      "x position", "y position", "direction",    "costume #",  "costume name",
+      "size",       "volume",     "background #", "backdrop #", "backdrop name"};
   for (Block& block : program_.blocks) {
     if (block.opcode != "sensing_of") continue;
     const Field* property = block.field("PROPERTY");
     const Input* object = block.input("OBJECT");
     const BlockIndex content = object ? object->content() : kNone;
     const Field* whose = content == kNone ? nullptr : literal_field(program_.at(content));
-    if (!property || !whose) continue;
-    for (std::size_t i = 0; i < program_.sprites.size(); ++i) {
-      const Sprite& sprite = program_.sprites[i];
-      if (sprite.is_cloned || (i == 0 ? whose->value != "_stage_" : whose->value != sprite.name)) continue;
+    if (!property || !whose || kOfTheStage.contains(property->value)) continue;
+    std::vector<Field> fields;
+    for (std::size_t i = 0; i < program_.sprites.size() && fields.empty(); ++i) {
+      if (i == 0 ? whose->value != "_stage_" : whose->value != program_.sprites[i].name) continue;
       const auto it =
           known_.find({static_cast<std::int32_t>(i), VariableKind::scalar, "=" + property->value});
-      if (it == known_.end()) continue;
-      block.opcode = "data_variable";
-      block.fields = {{.name = "VARIABLE", .value = property->value, .id = it->second}};
-      block.inputs.clear();
-      break;
+      if (it == known_.end()) break;
+      fields = {{.name = "VARIABLE", .value = property->value, .id = it->second}, {.name = "ORIGINAL"}};
     }
+    block.opcode = fields.empty() ? "math_number" : "data_variable";
+    if (fields.empty()) fields = {{.name = "NUM", .value = "0", .id = {}, .is_number = true}};
+    block.fields = std::move(fields);
+    block.inputs.clear();
   }
 }
 
