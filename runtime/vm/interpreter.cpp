@@ -69,12 +69,14 @@ HOT_HANDLER(divide) {
   NEXT(at + 1);
 }
 HOT_HANDLER(mod) {
+  constexpr double kMost = 2147483647;
   const double x = B;
   const double y = C;
+  if (!(x >= 1 && x <= kMost && y >= 1 && y <= kMost)) [[unlikely]]
+    return calculate(at, f, g, t);
   const auto ix = static_cast<std::int32_t>(x);
   const auto iy = static_cast<std::int32_t>(y);
-  const bool whole = static_cast<double>(ix) == x && static_cast<double>(iy) == y;
-  if (!whole || ix <= 0 || iy <= 0) [[unlikely]]
+  if (static_cast<double>(ix) != x || static_cast<double>(iy) != y) [[unlikely]]
     return calculate(at, f, g, t);
   A = static_cast<double>(
       static_cast<std::int32_t>(static_cast<std::uint32_t>(ix) % static_cast<std::uint32_t>(iy)));

@@ -16,8 +16,10 @@ bool is_blank(std::string_view ascii);
 
 /// Scratch's mod: the remainder has the divisor's sign. Exact; whole numbers never go through fmod.
 inline double modulo(double a, double b) {
-  const auto ia = static_cast<std::int32_t>(a);
-  const auto ib = static_cast<std::int32_t>(b);
+  constexpr double kMost = 2147483647;
+  const bool small = std::fabs(a) <= kMost && b >= 1 && b <= kMost;
+  const auto ia = small ? static_cast<std::int32_t>(a) : 0;
+  const auto ib = small ? static_cast<std::int32_t>(b) : 0;
   if (static_cast<double>(ia) == a && static_cast<double>(ib) == b && ib > 0) {
     const std::int32_t r = ia % ib;
     if (r == 0) return std::copysign(0.0, a);
