@@ -1,6 +1,6 @@
 #include "server/hub.h"
 
-#include <array>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -13,8 +13,6 @@ namespace {
 constexpr Micros kTelemetryPeriod = 45 * kMillisecond;  // with ticks of 10 ms: 20 a second
 constexpr Micros kCalibrationPeriod = 90 * kMillisecond;
 constexpr std::size_t kWrongCodesAMinute = 60;
-
-constexpr std::size_t kPanelSets = 16;  // four panels that the telemetry tells of
 
 unsigned panel_mask(const session::Wanted& panels) {
   return (panels.sonar ? 1u : 0u) | (panels.faces ? 2u : 0u) | (panels.room ? 4u : 0u) |
@@ -99,7 +97,7 @@ void Hub::publish_telemetry() {
   TelemetryText text(*newest);
   if (telemetry_text_ && telemetry_text_->same_content(text)) return;
   telemetry_text_ = std::move(text);
-  std::array<SharedBytes, kPanelSets> by_panels;
+  std::map<unsigned, SharedBytes> by_panels;
   for (const auto& [id, viewer] : viewers_) {
     if (!viewer->greeted()) continue;
     SharedBytes& message = by_panels[panel_mask(viewer->wanted)];

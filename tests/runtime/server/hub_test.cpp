@@ -271,6 +271,30 @@ TEST_F(HubTest, pictures_and_telemetry_are_made_once_and_shared) {
   EXPECT_TRUE(eve->pictures.empty());
 }
 
+TEST_F(HubTest, telemetry_fits_each_viewers_open_panels) {
+  const Client all = join("all");
+  const Client memory = join("memory");
+  const Client none = join("none");
+  say(all, {{"type", "watch"},
+            {"camera", true},
+            {"sonar", true},
+            {"faces", true},
+            {"room", true},
+            {"memory", true}});
+  say(memory, {{"type", "watch"}, {"memory", true}});
+  station_.publish([&](session::Telemetry& t) {
+    t.memory = std::make_shared<const memory::Snapshot>();
+    t.scene_json = R"({"path_m":1})";
+  });
+  hub_->tick();
+  ASSERT_FALSE(all->telemetry.empty());
+  EXPECT_TRUE(all->telemetry.back()["memory"].is_object());
+  EXPECT_FALSE(all->telemetry.back()["scene"].is_null());
+  EXPECT_TRUE(memory->telemetry.back()["memory"].is_object());
+  EXPECT_TRUE(memory->telemetry.back()["scene"].is_null());
+  EXPECT_TRUE(none->telemetry.back()["memory"].is_null());
+}
+
 TEST_F(HubTest, telemetry_comes_at_most_twenty_times_a_second_and_only_with_news) {
   const Client ann = join("ann");
   hub_->tick();
