@@ -12,10 +12,16 @@ constexpr double kBeyondGap_m = 0.35;
 constexpr double kFarthestGap_m = 1.5;
 constexpr double kNearGap_rad = rad(60);
 
-/// A child's place, x to the right and y ahead of where the run began, in O.
-Eigen::Vector2d from_start(const robot::Robot& robot, double right_m, double ahead_m) {
-  const Pose2 p = compose(robot.start_pose(), {ahead_m, -right_m, 0});
-  return {p.x_m, p.y_m};
+/// A child's place in O: on the map where the robot has one (x right, y up), else x to the right and y ahead
+/// of where the run began. Nothing when it has a map and does not know where on it.
+std::optional<Eigen::Vector2d> place_in_O(const robot::Robot& robot, double right_m, double ahead_m) {
+  Pose2 p = compose(robot.start_pose(), {ahead_m, -right_m, 0});
+  if (robot.localizer().place()) {
+    const robot::Localizer::Estimate at = robot.localizer().estimate();
+    if (!at.known) return std::nullopt;
+    p = compose(compose(robot.odometry().X_OR, inverse(at.X_PR)), {right_m, ahead_m, 0});
+  }
+  return Eigen::Vector2d(p.x_m, p.y_m);
 }
 
 NativeResult begun(NativeCall& call, robot::MotionTicket ticket) {
@@ -41,14 +47,18 @@ NativeResult drive_to(robot::Robot& robot, NativeCall& call) {
   for (const std::size_t arg : {0u, 1u}) {
     if (auto why = refused(call.number(arg), -kMostAway_cm, kMostAway_cm, "cm")) return *why;
   }
-  const Eigen::Vector2d goal = from_start(robot, call.number(0) / 100, call.number(1) / 100);
-  return begun(call, robot.pilot().go_to(goal, owner_of(call)));
+  const auto goal_O_m = place_in_O(robot, call.number(0) / 100, call.number(1) / 100);
+  if (!goal_O_m) {
+    robot.note(call.block(), make_fault(call.block(), messages::place_lost));
+    return NativeResult::finished();
+  }
+  return begun(call, robot.pilot().go_to(*goal_O_m, owner_of(call)));
 }
 
 NativeResult go_back(robot::Robot& robot, NativeCall& call) {
   if (call.state()) return follow_motion(robot, call);
   if (auto why = cannot_move(robot)) return *why;
-  return begun(call, robot.pilot().go_to(from_start(robot, 0, 0), owner_of(call)));
+  return begun(call, robot.pilot().go_to({robot.start_pose().x_m, robot.start_pose().y_m}, owner_of(call)));
 }
 
 NativeResult through_gap(robot::Robot& robot, NativeCall& call) {
@@ -70,15 +80,37 @@ NativeResult through_gap(robot::Robot& robot, NativeCall& call) {
   return begun(call, robot.pilot().go_to(goal, owner_of(call)));
 }
 
-/// Where the robot thinks it is, from where the run began: x to the right and y ahead in cm, heading in
-/// degrees to the right.
-NativeResult my_place(robot::Robot& robot, NativeCall& call) {
+NativeResult tenths(double value) { return NativeResult::of(std::round(value * 10) / 10 + 0.0); }
+
+/// In a place whose map it has: x to the right and y up on the map in cm; heading 0 up, to the right. Zeros
+/// where it does not know.
+NativeResult my_place_on_map(const robot::Localizer::Estimate& at, const std::string& what) {
+  constexpr double kNoIdea_cm = 999;
+  if (what == "error") return tenths(at.known ? 2 * at.sigma_m * 100 : kNoIdea_cm);
+  if (!at.known) return tenths(0);
+  if (what == "x") return tenths(at.X_PR.x_m * 100);
+  if (what == "y") return tenths(at.X_PR.y_m * 100);
+  return tenths(deg(wrap_rad(rad(90) - at.X_PR.heading_rad)));
+}
+
+/// Without a map: from where the run began, by the wheels alone; x to the right and y ahead.
+NativeResult my_place_from_start(const robot::Robot& robot, const std::string& what) {
   const Pose2 X_SR = compose(inverse(robot.start_pose()), robot.odometry().X_OR);
-  const auto tenth = [](double value) { return NativeResult::of(std::round(value * 10) / 10 + 0.0); };
-  const std::string what = call.text(0);
-  if (what == "x") return tenth(-X_SR.y_m * 100);
-  if (what == "y") return tenth(X_SR.x_m * 100);
-  return tenth(bearing_to_block(wrap_rad(X_SR.heading_rad)));
+  if (what == "error") return tenths(2 * 100 * robot.drift_since_start_m());
+  if (what == "x") return tenths(-X_SR.y_m * 100);
+  if (what == "y") return tenths(X_SR.x_m * 100);
+  return tenths(bearing_to_block(wrap_rad(X_SR.heading_rad)));
+}
+
+NativeResult my_place(robot::Robot& robot, NativeCall& call) {
+  const robot::Localizer& localizer = robot.localizer();
+  if (localizer.place()) return my_place_on_map(localizer.estimate(), call.text(0));
+  return my_place_from_start(robot, call.text(0));
+}
+
+/// By a map and its tags; without a map, never.
+NativeResult know_place(robot::Robot& robot, NativeCall&) {
+  return NativeResult::of(robot.localizer().estimate().known);
 }
 
 }  // namespace
@@ -90,6 +122,7 @@ void add_driving_blocks(vm::NativeTable& table, const std::shared_ptr<const Link
   table["motion_go_back"] = with_robot(link, go_back);
   table["motion_through_gap"] = with_robot(link, through_gap);
   table["motion_my_place"] = with_robot(link, my_place);
+  table["motion_know_place"] = with_robot(link, know_place);
 }
 
 }  // namespace mirada::blocks

@@ -66,4 +66,16 @@ inline constexpr Message preset_modes_missing{"preset_modes_missing",
                                               "{field} must list at least one picture mode.",
                                               "{field} debe tener al menos un modo de imagen."};
 
+inline constexpr Message place_unknown{
+    "place_unknown", "I don't know the place {name}. Choose {known}, or give a place.json file.",
+    "No conozco el lugar {name}. Elige {known}, o da un archivo place.json."};
+inline constexpr Message place_format{
+    "place_format", "{field} must be \"mirada-place\", not {value}. Is this a place file?",
+    "{field} debe ser \"mirada-place\", no {value}. ¿Es un archivo de lugar?"};
+inline constexpr Message place_tag_id{"place_tag_id", "{field} is {value}; it must be a whole number, 0 to 586.",
+                                      "{field} es {value}; debe ser un número entero, de 0 a 586."};
+inline constexpr Message place_tag_twice{
+    "place_tag_twice", "{field}: tag {value} is there twice. Each tag may hang at one place only.",
+    "{field}: la etiqueta {value} está dos veces. Cada etiqueta solo puede estar en un sitio."};
+
 }  // namespace mirada::messages

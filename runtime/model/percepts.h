@@ -77,7 +77,12 @@ struct ThingSeen {
   double bearing_rad = 0;
   double distance_m = 0;
   double sigma_m = 0;
+  double facing_rad = 0;      ///< of a tag: which way it looks, in the robot's frame
+  bool facing_known = false;  ///< false: the corners fit two ways of facing
 };
+
+/// Side of a tag's black square, when nothing else is known: distances are told for this.
+inline constexpr double kTagSide_m = 0.1;
 
 struct ThingsPercept {
   std::uint64_t frame = 0;

@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "model/camera_model.h"
 #include "model/geometry.h"
+#include "model/place.h"
 
 namespace mirada {
 
@@ -73,6 +74,7 @@ struct RobotConfig {
   MountConfig mount;
   LatencyConfig latency;
   std::optional<CheckConfig> check;
+  std::optional<Place> place;  ///< what it knows of where it is; never from robot.json
 
   /// The robot's widest extent across its direction of travel.
   double width_m() const;

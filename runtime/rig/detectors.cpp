@@ -42,7 +42,7 @@ class LazyFaceWatch {
   std::atomic<bool> forget_{false};
 };
 
-constexpr double kTag_m = 0.1;  // the black square's side
+constexpr double kSureFacing = 0.35;  // the second pose must fit three times worse
 constexpr double kTagDistanceShare = 0.03;
 
 /// Tags and balls; opens what it needs at its first picture.
@@ -51,14 +51,16 @@ class ThingFinder {
   explicit ThingFinder(const RobotConfig& robot) : robot_(robot), balls_(robot) {}
 
   ThingsPercept find(const Frame& frame, const NeckAngles& neck, const Pose2& X_OR) {
-    if (!tags_) tags_.emplace(robot_, kTag_m);
+    if (!tags_) tags_.emplace(robot_, kTagSide_m);
     ThingsPercept out;
     out.frame = frame.number;
     out.t_exposure = frame.t_exposure;
     out.X_OR = X_OR;
     for (const vision::TagSpot& tag : tags_->look(frame, neck)) {
-      out.things.push_back(
-          {ThingKind::tag, tag.id, tag.bearing_rad, tag.distance_m, kTagDistanceShare * tag.distance_m});
+      const Eigen::Vector3d out_of_paper_R = tag.X_RT.linear().col(2);
+      out.things.push_back({ThingKind::tag, tag.id, tag.bearing_rad, tag.distance_m,
+                            kTagDistanceShare * tag.distance_m,
+                            std::atan2(out_of_paper_R.y(), out_of_paper_R.x()), tag.ambiguity < kSureFacing});
     }
     if (const auto ball = balls_.find(frame, neck)) out.things.push_back(*ball);
     return out;

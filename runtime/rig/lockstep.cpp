@@ -36,6 +36,9 @@ class Body {
       neck_.step(dt);
     }
   }
+  void carry_to(const Pose2& X_WR) {
+    if (simulation_) simulation_->carry_to(X_WR);
+  }
   Micros now() const { return simulation_ ? simulation_->now() : drive_.odometry().t; }
   bool has_world() const { return simulation_.has_value(); }
   world::Truth truth() const {
@@ -106,6 +109,9 @@ class Lockstep {
   /// World, due frames, percepts twice; then wake-ups, scripts, commands once.
   void tick() {
     for (Micros done = 0; done < kTick; done += kWorldStep) {
+      if (options_.carry) {
+        if (const auto X_WR = options_.carry(clock_.now())) body_.carry_to(*X_WR);
+      }
       body_.step(kWorldStep);
       clock_.set(body_.now());
       robot_.observe();

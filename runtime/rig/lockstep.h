@@ -21,6 +21,8 @@ struct LockstepOptions {
   std::function<bool()> stop_asked;  ///< looked at once a tick; may be empty
   /// Called after each world step with the truth (not without a world); may be empty.
   std::function<void(Micros, const world::Truth&)> watch;
+  /// Asked before each world step: where somebody puts the robot now, if anywhere; may be empty.
+  std::function<std::optional<Pose2>(Micros)> carry;
 };
 
 /// Runs one program to its end on the calling thread, as fast as it goes, in simulated time: the same binary,

@@ -4,6 +4,7 @@
 #include "model/camera_preset.h"
 #include "rig/calibration/kept_camera.h"
 #include "rig/messages.h"
+#include "rig/place_choice.h"
 
 namespace mirada::rig {
 namespace {
@@ -41,6 +42,8 @@ Result<LiveParts> read_setup(const session::Setup& setup, const std::string& cam
   Faults faults;
   keep_faults(world, faults);
   keep_faults(robot, faults);
+  auto place = choose_place(setup.place);
+  keep_faults(place, faults);
   if (!faults.empty()) return faults;
   LiveParts parts;
   parts.setup = setup;
@@ -50,6 +53,7 @@ Result<LiveParts> read_setup(const session::Setup& setup, const std::string& cam
   parts.world = std::move(*world);
   parts.body = *robot;
   parts.robot = std::move(*robot);
+  parts.robot.place = std::move(*place);
   parts.camera = camera;
   const Status kept = use_kept_camera(kept_camera_file(parts.setup.robot, camera.empty()), parts.robot);
   if (!kept) parts.notes = kept.faults();

@@ -14,6 +14,7 @@ Result<std::unique_ptr<session::Station>> make_station(const StationOptions& opt
   setup.world = options.world;
   setup.robot = options.robot;
   setup.seed = options.seed;
+  setup.place = options.place;
   auto parts = read_setup(setup, options.camera);
   if (!parts) return parts.faults();
   const Tell tell = [lang = options.lang](const Fault& word) { std::cerr << word.text(lang) << std::endl; };

@@ -33,4 +33,8 @@ inline constexpr Message no_gap_there{"no_gap_there",
 inline constexpr Message faces_unavailable{"faces_unavailable", "I can't look for faces here: {reason}",
                                            "Aquí no puedo buscar caras: {reason}"};
 
+inline constexpr Message place_lost{"place_lost",
+                                    "I don't know where I am. Let me see a tag of the map first.",
+                                    "No sé dónde estoy. Déjame ver antes una etiqueta del mapa."};
+
 }  // namespace mirada::messages

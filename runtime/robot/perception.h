@@ -22,11 +22,12 @@ struct Needs {
   bool faces = false;
   bool memory = false;  ///< remember what is seen; wants sonar too
   bool things = false;  ///< tags and balls
+  bool place = false;   ///< where it is: tags, when it knows a place with some
 
   bool any() const { return frames || sonar || faces || memory || things; }
   Needs operator|(const Needs& other) const {
-    return {frames || other.frames, sonar || other.sonar, faces || other.faces, memory || other.memory,
-            things || other.things};
+    return {frames || other.frames, sonar || other.sonar,   faces || other.faces,
+            memory || other.memory, things || other.things, place || other.place};
   }
   bool operator==(const Needs&) const = default;
 };

@@ -1,6 +1,7 @@
 #include "robot/robot.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mirada::robot {
 namespace {
@@ -19,7 +20,10 @@ Robot::Robot(RobotConfig config, const Devices& devices, Detectors detectors, Ti
       memory_(config_),
       watch_(gaze_, config_),
       pilot_(motion_, watch_, config_),
-      follower_(motion_, gaze_, watch_, config_) {}
+      follower_(motion_, gaze_, watch_, config_),
+      localizer_(config_.drive) {
+  localizer_.know(config_.place);
+}
 
 void Robot::observe() {
   if (devices_.drive != nullptr) odometry_ = devices_.drive->odometry();
@@ -27,6 +31,7 @@ void Robot::observe() {
   if (perception_.step(now(), history_)) safety_.frame_seen(now() - perception_.frame().t_exposure);
   if (const FacesPercept* seen = faces(); seen != nullptr && !seen->faces.empty()) met_face_ = true;
   memory_.moved(now(), odometry_.X_OR);
+  locate();
   if (!perception_.needs().memory) return;
   remember();
   remember_things();
@@ -57,6 +62,14 @@ void Robot::remember_things() {
   memory_.observe(thing, history_.at(seen.faces.t_exposure).X_OR, seen.faces.t_exposure);
 }
 
+void Robot::locate() {
+  localizer_.moved(odometry_.X_OR);
+  const ThingsPercept& things = perception_.percepts()->things;
+  if (things.frame == located_things_) return;
+  located_things_ = things.frame;
+  localizer_.see(things);
+}
+
 Recall Robot::obstacle_at(double bearing_rad) const {
   return recall(sonar(), perception_.percepts()->sonar.t_exposure, memory_, bearing_rad);
 }
@@ -76,6 +89,15 @@ void Robot::attend() {
   if (const FacesPercept* seen = faces(); seen != nullptr && !seen->faces.empty())
     sight.face_rad = seen->faces.front().bearing_rad;
   watch_.step(memory_, sight);
+}
+
+double Robot::drift_since_start_m() const {
+  return std::sqrt(memory_.drift().covariance(start_mark_, {X_OS_.x_m, X_OS_.y_m}).trace());
+}
+
+void Robot::need(Needs needs) {
+  if (needs.place && config_.place) needs.things = needs.frames = true;
+  perception_.need(needs);
 }
 
 Needs Robot::own_needs() const {
@@ -109,6 +131,8 @@ void Robot::forget() {
   met_face_ = false;
   history_.clear();
   perception_.forget();
+  if (devices_.drive != nullptr) odometry_ = devices_.drive->odometry();
+  localizer_.put_down(odometry_.X_OR);
 }
 
 }  // namespace mirada::robot

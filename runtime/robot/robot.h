@@ -7,6 +7,7 @@
 #include "memory/visual_memory.h"
 #include "robot/follower.h"
 #include "robot/gaze.h"
+#include "robot/localizer.h"
 #include "robot/motion.h"
 #include "robot/perception.h"
 #include "robot/pilot.h"
@@ -50,18 +51,25 @@ class Robot {
   Perception& perception() { return perception_; }
   const Perception& perception() const { return perception_; }
   const hal::Odometry& odometry() const { return odometry_; }
+  /// What must be seen from now on.
+  void need(Needs needs);
   /// What the robot itself wants to see, for what it was told to do.
   Needs own_needs() const;
   SonarView sonar() const;
   Pilot& pilot() { return pilot_; }
   Follower& follower() { return follower_; }
   const Follower& follower() const { return follower_; }
+  /// Where it is in the place that it knows, if it knows one.
+  const Localizer& localizer() const { return localizer_; }
   /// Where a run began, in O: what "where I started" means.
   void mark_start() {
     X_OS_ = odometry_.X_OR;
+    start_mark_ = memory_.drift().now();
     met_face_ = false;
   }
   const Pose2& start_pose() const { return X_OS_; }
+  /// How badly the wheels alone may tell where that was, 1-sigma.
+  double drift_since_start_m() const;
   Watch& watch() { return watch_; }
   const Watch& watch() const { return watch_; }
   memory::VisualMemory& memory() { return memory_; }
@@ -82,6 +90,7 @@ class Robot {
  private:
   void remember();
   void remember_things();
+  void locate();
   void attend();
 
   RobotConfig config_;
@@ -96,11 +105,14 @@ class Robot {
   Watch watch_;
   Pilot pilot_;
   Follower follower_;
+  Localizer localizer_;
   bool met_face_ = false;
   Pose2 X_OS_;
+  memory::DriftMark start_mark_;
   std::uint64_t remembered_frame_ = 0;
   std::uint64_t remembered_things_ = 0;
   std::uint64_t remembered_faces_ = 0;
+  std::uint64_t located_things_ = 0;
   hal::Odometry odometry_;
   std::vector<Note> notes_;
 };

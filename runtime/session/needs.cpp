@@ -59,6 +59,7 @@ robot::Needs needs_of(const std::set<std::string>& names) {
   needs.memory = names.contains("memory");
   needs.sonar = needs.sonar || needs.memory;
   needs.things = names.contains("things");
+  needs.place = names.contains("place");
   needs.frames = needs.sonar || needs.faces || needs.things;
   return needs;
 }

@@ -105,7 +105,7 @@ void Session::want(const Wanted& wanted) {
 
 void Session::update_needs() {
   const robot::Needs panels{wanted_.camera, wanted_.sonar, wanted_.faces, wanted_.memory};
-  robot_->perception().need(panels | program_needs_ | evaluations_.needs() | own_needs_);
+  robot_->need(panels | program_needs_ | evaluations_.needs() | own_needs_);
 }
 
 void Session::begin_when_warm() {

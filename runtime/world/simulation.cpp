@@ -145,6 +145,11 @@ void Simulation::put_back() {
   s.publish();
 }
 
+void Simulation::carry_to(const Pose2& X_WR) {
+  impl_->truth.X_WR = X_WR;
+  impl_->publish();
+}
+
 void Simulation::hold_board(std::optional<HeldBoard> board) { impl_->held = std::move(board); }
 
 hal::Camera& Simulation::camera() { return impl_->camera; }

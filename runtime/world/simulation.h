@@ -39,6 +39,8 @@ class Simulation {
   Micros now() const;
   /// The start pose again, contacts and path at zero; a new picture of chance is drawn only for another seed.
   void put_back();
+  /// Somebody lifts the robot and puts it down here; it notices nothing of it but by what it sees.
+  void carry_to(const Pose2& X_WR);
   /// From now on pictures show this print before the camera, or none.
   void hold_board(std::optional<HeldBoard> board);
 

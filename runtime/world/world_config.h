@@ -88,6 +88,14 @@ struct PersonConfig {
   bool watches_robot = false;  ///< looks at the robot wherever they walk, backwards too
 };
 
+/// An AprilTag 36h11 printed on white and put up: its middle in W, looking along its heading.
+struct TagConfig {
+  int id = 0;
+  Pose2 X_WT;
+  double z_m = 0.25;
+  double size_m = 0.1;  ///< side of its black square
+};
+
 struct LightConfig {
   double level = 1;              ///< 1 = well lit
   Colour colour{255, 250, 240};  ///< white is neutral
@@ -133,6 +141,7 @@ struct WorldConfig {
   std::vector<BoxConfig> boxes;
   std::vector<CylinderConfig> cylinders;
   std::vector<PersonConfig> people;
+  std::vector<TagConfig> tags;
   LightConfig light;
   NoiseConfig noise;
   JitterConfig jitter;

@@ -209,4 +209,14 @@ PersonConfig read_person(JsonReader reader) {
   return out;
 }
 
+TagConfig read_tag(JsonReader reader) {
+  reader.only({"id", "x_m", "y_m", "z_m", "heading_deg", "size_m"});
+  TagConfig out;
+  out.id = static_cast<int>(reader.number("id", 0, 586));
+  out.X_WT = read_pose(reader);
+  out.z_m = reader.number_or("z_m", 0.01, 3, out.z_m);
+  out.size_m = reader.number_or("size_m", 0.01, 1, out.size_m);
+  return out;
+}
+
 }  // namespace mirada::world

@@ -27,5 +27,6 @@ WallConfig read_wall(JsonReader reader);
 BoxConfig read_box(JsonReader reader);
 CylinderConfig read_cylinder(JsonReader reader);
 PersonConfig read_person(JsonReader reader);
+TagConfig read_tag(JsonReader reader);
 
 }  // namespace mirada::world

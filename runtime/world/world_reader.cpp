@@ -89,6 +89,7 @@ void read_sections(JsonReader& root, WorldConfig& out) {
   for (JsonReader& reader : root.objects("boxes", kMost)) out.boxes.push_back(read_box(reader));
   for (JsonReader& reader : root.objects("cylinders", kMost)) out.cylinders.push_back(read_cylinder(reader));
   for (JsonReader& reader : root.objects("people", 20)) out.people.push_back(read_person(reader));
+  for (JsonReader& reader : root.objects("tags", kMost)) out.tags.push_back(read_tag(reader));
 }
 
 /// Checks that look at the whole room; only for a room whose parts are sound.
@@ -101,6 +102,9 @@ class RoomCheck {
     each("/boxes/", world_.boxes, [](const BoxConfig& b) { return Vector2d(b.X_WB.x_m, b.X_WB.y_m); });
     each("/cylinders/", world_.cylinders, [](const CylinderConfig& c) { return c.p_W_m; });
     each("/people/", world_.people, [](const PersonConfig& p) { return Vector2d(p.X_WP.x_m, p.X_WP.y_m); });
+    for (std::size_t i = 0; i < world_.tags.size(); ++i) {
+      inside("/tags/" + std::to_string(i), {world_.tags[i].X_WT.x_m, world_.tags[i].X_WT.y_m});
+    }
     for (std::size_t i = 0; i < world_.walls.size(); ++i) {
       for (const Shape& shape : shapes_of(world_.walls[i])) clear_start("/walls/" + std::to_string(i), shape);
     }
@@ -155,7 +159,7 @@ Result<WorldConfig> read_world(std::string_view json_text, const std::string& fi
   root.number("version", 1, 1);
   out.id = root.text("id");
   root.only({"format", "version", "id", "name", "bounds", "start", "floor", "lines", "walls", "boxes",
-             "cylinders", "people", "light", "noise", "jitter", "background"});
+             "cylinders", "people", "tags", "light", "noise", "jitter", "background"});
   read_sections(root, out);
   if (!has_errors(faults)) RoomCheck(out, faults).run();
   if (has_errors(faults)) return faults;

@@ -9,6 +9,7 @@
 #include "base/files.h"
 #include "commands.h"
 #include "rig/lockstep.h"
+#include "rig/place_choice.h"
 #include "vision/face_finder.h"
 
 namespace mirada {
@@ -23,6 +24,7 @@ struct RunArguments {
   std::string program;
   std::string world = "sala-1";
   std::string robot = "mirada-sim";
+  std::string place;
   std::uint64_t seed = 1;
   double seconds = 60;
   std::string report;
@@ -51,8 +53,11 @@ Result<rig::LockstepOptions> read_options(const RunArguments& arguments) {
   }
   auto robot = robot_by_name(arguments.robot);
   if (!robot) faults.insert(faults.end(), robot.faults().begin(), robot.faults().end());
+  auto place = rig::choose_place(arguments.place);
+  if (!place) faults.insert(faults.end(), place.faults().begin(), place.faults().end());
   if (!faults.empty()) return faults;
   options.robot = std::move(*robot);
+  options.robot.place = std::move(*place);
   return options;
 }
 
@@ -110,6 +115,8 @@ void add_run(Commands& commands) {
   sub->add_option("--world", arguments->world, "A room: id or file; none = no room, no pictures")
       ->capture_default_str();
   sub->add_option("--robot", arguments->robot, "A robot: id or file")->capture_default_str();
+  sub->add_option("--place", arguments->place,
+                  "What the robot knows of where it is: the id of a place that ships, or a place.json file");
   sub->add_option("--model", arguments->face_model,
                   "A face network of your own (ONNX, in the shape of UltraFace); without it the one that "
                   "scripts/run fetched, else the plain way (Haar)");

@@ -21,7 +21,7 @@ constexpr int kBadInput = 2;
 struct ServeOptions {
   std::string listen = "127.0.0.1";
   std::uint16_t port = 8080;
-  std::string world, robot, camera;
+  std::string world, robot, camera, place;
   std::uint64_t seed = 1;
   std::string lang = "en";
   std::string ui;
@@ -61,8 +61,8 @@ int serve(const ServeOptions& options) {
   const sigset_t signals = hold_signals();
   const auto packs = rig::load_shipped_packs();
   warn(packs->faults, lang);
-  auto station = rig::make_station(
-      {options.world, options.robot, options.seed, options.camera, options.face_model, lang, packs});
+  auto station = rig::make_station({options.world, options.robot, options.seed, options.camera,
+                                    options.face_model, lang, packs, options.place});
   if (!station.ok()) return complain(station.faults(), lang);
 
   Faults example_faults;
@@ -100,6 +100,9 @@ void add_serve(Commands& commands) {
       ->capture_default_str();
   command->add_option("--world", options->world, "Room: the id of one that ships, or a file");
   command->add_option("--robot", options->robot, "Robot: the id of one that ships, or a file");
+  command->add_option(
+      "--place", options->place,
+      "What the robot knows of where it is: the id of a place that ships, or a place.json file");
   command->add_option("--seed", options->seed, "Seed of the room's chance")->capture_default_str();
   command->add_option("--camera", options->camera,
                       "v4l2:0, or a picture or video file, instead of the simulated camera");

@@ -51,6 +51,10 @@ void poster(cv::Mat& out, double px_per_m, Random& random);
 cv::Mat box_top(const BoxConfig& box, double px_per_m, Random& random);
 /// Unrolled about the axis, from behind, to the left seen from above.
 cv::Mat cylinder(const CylinderConfig& cylinder, double px_per_m, Random& random);
+/// An AprilTag 36h11 with the white edge that it is printed on: kTagCells cells a side, of which the black
+/// square has two fewer.
+cv::Mat tag(int id);
+inline constexpr int kTagCells = 10;
 cv::Mat leaves(cv::Size size, Colour colour, Random& random);
 
 /// What a person's head shows from the front (a face) and from behind; seen from far away along the heading.

@@ -54,6 +54,7 @@ Stage::Stage(const WorldConfig& placed, std::uint64_t seed) : lamp(lamp_of(place
   add_walls(placed, seed);
   add_boxes(placed, seed);
   add_cylinders(placed, seed);
+  add_tags(placed);
   add_people(placed, seed);
   add_sky(placed);
 }
@@ -122,6 +123,20 @@ void Stage::add_boxes(const WorldConfig& world, std::uint64_t seed) {
     const Vector2d x(std::cos(box.X_WB.heading_rad), std::sin(box.X_WB.heading_rad));
     quads.push_back({flat(foot[2], box.height_m), flat(x), flat({x.y(), -x.x()}), Vector3f::UnitZ(),
                      float(box.length_m), float(box.width_m), keep(top)});
+  }
+}
+
+void Stage::add_tags(const WorldConfig& world) {
+  constexpr double kPaper_m = 0.004;  // in front of what it hangs on
+  for (const TagConfig& config : world.tags) {
+    const double side = config.size_m * paint::kTagCells / (paint::kTagCells - 2);
+    const Vector2d ahead(std::cos(config.X_WT.heading_rad), std::sin(config.X_WT.heading_rad));
+    const Vector2d along(-ahead.y(), ahead.x());
+    const Vector2d corner = Vector2d(config.X_WT.x_m, config.X_WT.y_m) + kPaper_m * ahead - side / 2 * along;
+    cv::Mat print = paint::tag(config.id);
+    paint::light(print, lamp.on(flat(ahead)), tint(lamp));
+    quads.push_back({flat(corner, config.z_m + side / 2), flat(along), -Vector3f::UnitZ(), flat(ahead),
+                     float(side), float(side), keep(print)});
   }
 }
 

@@ -72,6 +72,7 @@ struct Stage {
   void add_walls(const WorldConfig& world, std::uint64_t seed);
   void add_boxes(const WorldConfig& world, std::uint64_t seed);
   void add_cylinders(const WorldConfig& world, std::uint64_t seed);
+  void add_tags(const WorldConfig& world);
   void add_people(const WorldConfig& world, std::uint64_t seed);
   void add_sky(const WorldConfig& world);
   /// An upright rectangle over a floor edge, seen from the right of a to b.

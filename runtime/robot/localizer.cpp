@@ -1,0 +1,168 @@
+#include "robot/localizer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+namespace mirada::robot {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kStart_m = 0.10;  // how well a robot is put down by hand
+constexpr double kStart_rad = rad(10);
+constexpr double kBearing_rad = rad(0.7);
+constexpr double kFacing_rad = rad(15);  // a small tag's tilt is a rough guess
+constexpr double kGate2 = 16;            // of a 2-dimensional error: 0.03 % of true ones lie outside
+constexpr int kDoubts = 3;
+constexpr int kAgreements = 3;
+constexpr double kUnknown_m = 0.6;
+constexpr double kUnknown_rad = rad(40);
+constexpr double kSlide_per_root_m = 0.01;
+constexpr double kMostBlind_m = 10;
+
+Matrix2d turn(double angle_rad) {
+  const double c = std::cos(angle_rad);
+  const double s = std::sin(angle_rad);
+  return (Matrix2d() << c, -s, s, c).finished();
+}
+
+/// Of a place seen at p in the robot's frame: its distance is worse known than its bearing.
+Matrix2d seen_covariance(const Vector2d& p_m, double sigma_m) {
+  const double distance_m = std::max(p_m.norm(), 0.05);
+  const Vector2d away = p_m / distance_m;
+  const Vector2d across(-away.y(), away.x());
+  const double across_m = kBearing_rad * distance_m + 0.004;
+  return sigma_m * sigma_m * away * away.transpose() + across_m * across_m * across * across.transpose();
+}
+
+}  // namespace
+
+void Localizer::know(std::optional<Place> place) {
+  place_ = std::move(place);
+  put_down(X_OR_);
+}
+
+void Localizer::put_down(const Pose2& X_OR) {
+  X_OR_ = X_OR;
+  begun_ = true;
+  known_ = place_ && place_->X_PR_start;
+  lost_ = false;
+  agreed_ = disagreed_ = 0;
+  blind_m_ = 0;
+  X_PR_ = known_ ? *place_->X_PR_start : Pose2{};
+  covariance_ = Vector3d(kStart_m * kStart_m, kStart_m * kStart_m, kStart_rad * kStart_rad).asDiagonal();
+}
+
+void Localizer::moved(const Pose2& X_OR) {
+  if (!begun_) return put_down(X_OR);
+  const Pose2 step = compose(inverse(X_OR_), X_OR);
+  X_OR_ = X_OR;
+  const double way_m = std::hypot(step.x_m, step.y_m);
+  const double turned_rad = std::abs(wrap_rad(step.heading_rad));
+  if (!known_ || (way_m == 0 && turned_rad == 0)) return;
+  const double c = std::cos(X_PR_.heading_rad);
+  const double s = std::sin(X_PR_.heading_rad);
+  Matrix3d move = Matrix3d::Identity();
+  move(0, 2) = -s * step.x_m - c * step.y_m;
+  move(1, 2) = c * step.x_m - s * step.y_m;
+  const double tyre_m = way_m + turned_rad * rates_.track_m / 2;
+  blind_m_ = std::min(blind_m_ + way_m, kMostBlind_m);
+  // Unequal wheels turn it always to the same side: the angle's error grows with the way, not with its root.
+  const double turn2 = rates_.heading_per_root_m * rates_.heading_per_root_m * tyre_m +
+                       2 * rates_.heading_per_m * rates_.heading_per_m * blind_m_ * way_m +
+                       2 * rates_.turn_share * turned_rad * turned_rad;
+  const double slide2 = kSlide_per_root_m * kSlide_per_root_m * tyre_m;
+  covariance_ = move * covariance_ * move.transpose();
+  covariance_ += Vector3d(slide2, slide2, turn2).asDiagonal().toDenseMatrix();
+  X_PR_ = compose(X_PR_, step);
+}
+
+std::optional<Localizer::Sighting> Localizer::sighting_of(const ThingSeen& thing, const Pose2& X_RS) const {
+  if (thing.kind != ThingKind::tag || !place_) return std::nullopt;
+  const PlaceTag* tag = place_->tag(thing.id);
+  if (tag == nullptr) return std::nullopt;
+  // Distances are told for a tag of 10 cm; another size is as many times as far.
+  const double distance_m = thing.distance_m * tag->size_m / kTagSide_m;
+  const Pose2 p = compose(X_RS, {distance_m * std::cos(thing.bearing_rad),
+                                 distance_m * std::sin(thing.bearing_rad), thing.facing_rad});
+  return Sighting{tag,           {p.x_m, p.y_m},    distance_m, thing.sigma_m * tag->size_m / kTagSide_m,
+                  p.heading_rad, thing.facing_known};
+}
+
+void Localizer::see(const ThingsPercept& things) {
+  const Pose2 X_RS = compose(inverse(X_OR_), things.X_OR);
+  for (const ThingSeen& thing : things.things) {
+    const std::optional<Sighting> seen = sighting_of(thing, X_RS);
+    if (!seen) continue;
+    if (!known_) {
+      start_from(*seen);
+    } else if (correct(*seen)) {
+      disagreed_ = 0;
+      if (++agreed_ >= kAgreements) lost_ = false;
+    } else {
+      doubt(*seen);
+    }
+  }
+}
+
+bool Localizer::correct(const Sighting& seen) {
+  const Matrix2d to_R = turn(-X_PR_.heading_rad);
+  const Vector2d expected = to_R * Vector2d(seen.tag->X_PT.x_m - X_PR_.x_m, seen.tag->X_PT.y_m - X_PR_.y_m);
+  Eigen::Matrix<double, 2, 3> h;
+  h.leftCols<2>() = -to_R;
+  h.col(2) = Vector2d(expected.y(), -expected.x());
+  const Vector2d off = seen.p_RT_m - expected;
+  const Matrix2d spread = h * covariance_ * h.transpose() + seen_covariance(seen.p_RT_m, seen.sigma_m);
+  if (off.dot(spread.ldlt().solve(off)) > kGate2) return false;
+  const Eigen::Matrix<double, 3, 2> gain = covariance_ * h.transpose() * spread.inverse();
+  const Vector3d change = gain * off;
+  X_PR_ = {X_PR_.x_m + change.x(), X_PR_.y_m + change.y(), wrap_rad(X_PR_.heading_rad + change.z())};
+  covariance_ = (Matrix3d::Identity() - gain * h) * covariance_;
+  covariance_ = (covariance_ + covariance_.transpose()) / 2;
+  blind_m_ = 0;
+  return true;
+}
+
+void Localizer::doubt(const Sighting& seen) {
+  agreed_ = 0;
+  if (++disagreed_ < kDoubts) return;
+  lost_ = true;
+  start_from(seen);
+}
+
+void Localizer::start_from(const Sighting& seen) {
+  if (!seen.facing_known) return;
+  // The tag's own heading says from which side it is seen.
+  const double heading_rad = wrap_rad(seen.tag->X_PT.heading_rad - seen.facing_rad);
+  const Matrix2d to_P = turn(heading_rad);
+  const Vector2d p = Vector2d(seen.tag->X_PT.x_m, seen.tag->X_PT.y_m) - to_P * seen.p_RT_m;
+  X_PR_ = {p.x(), p.y(), heading_rad};
+  const Matrix2d place = to_P * seen_covariance(seen.p_RT_m, seen.sigma_m) * to_P.transpose();
+  // A wrong heading swings the robot about the tag.
+  const Vector3d swing(-(p.y() - seen.tag->X_PT.y_m), p.x() - seen.tag->X_PT.x_m, 1);
+  covariance_ = kFacing_rad * kFacing_rad * swing * swing.transpose();
+  covariance_.topLeftCorner<2, 2>() += place;
+  covariance_(2, 2) += kBearing_rad * kBearing_rad;
+  known_ = true;
+  agreed_ = disagreed_ = 0;
+  blind_m_ = 0;
+}
+
+Localizer::Estimate Localizer::estimate() const {
+  Estimate out;
+  if (!known_) return out;
+  const Eigen::SelfAdjointEigenSolver<Matrix2d> axes(covariance_.topLeftCorner<2, 2>());
+  out.X_PR = X_PR_;
+  out.sigma_m = std::sqrt(std::max(axes.eigenvalues().maxCoeff(), 0.0));
+  out.sigma_rad = std::sqrt(std::max(covariance_(2, 2), 0.0));
+  out.lost = lost_;
+  out.known = !lost_ && out.sigma_m < kUnknown_m && out.sigma_rad < kUnknown_rad;
+  return out;
+}
+
+}  // namespace mirada::robot

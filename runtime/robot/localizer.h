@@ -1,0 +1,66 @@
+#pragma once
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "memory/drift.h"
+#include "model/percepts.h"
+#include "model/place.h"
+
+namespace mirada::robot {
+
+/// Where the robot is in a place (frame P): odometry, corrected by tags whose places are known. An extended
+/// Kalman filter over x, y and heading (Thrun, Burgard and Fox, *Probabilistic Robotics*, 7.4), with a gate:
+/// sightings that cannot be true where it believes to be make it say that it is lost, and it starts again
+/// from what it sees. Control thread.
+class Localizer {
+ public:
+  explicit Localizer(const DriveConfig& drive) : rates_(memory::drift_rates(drive)) {}
+
+  /// Without a place nothing is ever known.
+  void know(std::optional<Place> place);
+  const std::optional<Place>& place() const { return place_; }
+  /// Put down anew: about where the place says that a robot starts, or anywhere.
+  void put_down(const Pose2& X_OR);
+
+  /// The odometry now, every few centimetres at the latest.
+  void moved(const Pose2& X_OR);
+  /// Tags as they were seen.
+  void see(const ThingsPercept& things);
+
+  struct Estimate {
+    Pose2 X_PR;
+    double sigma_m = 0;    ///< of the place, along its worse axis
+    double sigma_rad = 0;  ///< of the heading
+    bool known = false;    ///< false: the pose says nothing
+    bool lost = false;     ///< it was known, and what is seen says otherwise
+  };
+  Estimate estimate() const;
+
+ private:
+  struct Sighting {
+    const PlaceTag* tag;
+    Eigen::Vector2d p_RT_m;  ///< from where the robot is now
+    double distance_m, sigma_m;
+    double facing_rad;  ///< the tag's heading in the robot's frame
+    bool facing_known;
+  };
+  std::optional<Sighting> sighting_of(const ThingSeen& thing, const Pose2& X_RS) const;
+  bool correct(const Sighting& seen);
+  void start_from(const Sighting& seen);
+  void doubt(const Sighting& seen);
+
+  memory::DriftRates rates_;
+  std::optional<Place> place_;
+  Pose2 X_OR_;
+  bool begun_ = false;
+  Pose2 X_PR_;
+  Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
+  bool known_ = false;
+  bool lost_ = false;
+  int agreed_ = 0;      ///< sightings in a row that fitted
+  int disagreed_ = 0;   ///< sightings in a row that could not be
+  double blind_m_ = 0;  ///< driven since the last sighting that fitted
+};
+
+}  // namespace mirada::robot
