@@ -72,7 +72,8 @@ inline constexpr Message place_unknown{
 inline constexpr Message place_format{
     "place_format", "{field} must be \"mirada-place\", not {value}. Is this a place file?",
     "{field} debe ser \"mirada-place\", no {value}. ¿Es un archivo de lugar?"};
-inline constexpr Message place_tag_id{"place_tag_id", "{field} is {value}; it must be a whole number, 0 to 586.",
+inline constexpr Message place_tag_id{"place_tag_id",
+                                      "{field} is {value}; it must be a whole number, 0 to 586.",
                                       "{field} es {value}; debe ser un número entero, de 0 a 586."};
 inline constexpr Message place_tag_twice{
     "place_tag_twice", "{field}: tag {value} is there twice. Each tag may hang at one place only.",

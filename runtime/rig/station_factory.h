@@ -23,7 +23,7 @@ struct StationOptions {
   std::string face_model;  ///< a network's file; "" = the one that was fetched, or none
   Lang lang = Lang::en;
   std::shared_ptr<const packs::PackSet> packs;  ///< never null
-  std::string place;  ///< id or file of a place; "" = the robot has no map
+  std::string place{};                          ///< id or file of a place; "" = the robot has no map
 };
 
 /// Builds the robot, its room when it is simulated, and a live session on it (its own threads, motors at

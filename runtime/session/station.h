@@ -24,7 +24,7 @@ struct Setup {
   std::string robot;
   std::uint64_t seed = 1;
   bool simulated = true;
-  std::string place;  ///< what the robot knows of where it is: id or file; "" = no map
+  std::string place{};  ///< what the robot knows of where it is: id or file; "" = no map
 };
 
 /// Which panels somebody looks at: camera, renderer and detectors run only for them or for the running
