@@ -12,45 +12,66 @@ namespace {
 constexpr int kAlarm = 6;
 constexpr int kFloorIsBack = 5;  // rows of floor after an interruption
 constexpr double kWidestLine_m = 0.12;
-constexpr double kLowestObstacle_m = 0.035;
 constexpr int kFirstLineRows = 5;    // show how wide a line is
 constexpr int kLineRows = 10;        // a line running away from the robot is at least so long
 constexpr double kDeepestShade = 3;  // the factor of a channel, as encoded
 constexpr int kLongestRamp = 18;     // rows of a shadow's soft rim
 constexpr int kSurfaceRows = 8;
+constexpr int kCrispRows = 4;
 constexpr double kRough = 4;            // Look units: a floor with a pattern
 constexpr double kPatternSeen_m = 1.0;  // farther away patterns blur
-constexpr double kSameColour = 0.05;    // by which the channels' factors may differ
+constexpr double kSameColour = 0.08;    // by which the channels' factors may differ
 constexpr int kSameLight = 14;          // Look units: lit floor before and behind a shadow
 constexpr double kColourNoise = 1.5;    // of 255, of a mean
 constexpr double kSkirting_m = 0.13;
 constexpr int kMostJoints = 8;  // crossed on one shaded surface
 
+/// Shade takes the gloss from a floor too: the same colour, darker and with less white in it.
+bool is_dull_shade(const Eigen::Vector3d& floor_bgr, const Eigen::Vector3d& bgr) {
+  const double floor_light = floor_bgr.mean();
+  const Eigen::Vector3d colour = floor_bgr.array() - floor_light;
+  constexpr double kColourful = 8;
+  constexpr double kMostGloss = 0.3;
+  if (colour.norm() < kColourful || bgr.mean() > floor_light) return false;
+  const Eigen::Vector3d seen = bgr.array() - bgr.mean();
+  const double factor = colour.dot(seen) / colour.squaredNorm();
+  const double gloss = factor * floor_light - bgr.mean();
+  return factor > 1 / kDeepestShade && factor < 1.3 && gloss > 0 && gloss < kMostGloss * floor_light &&
+         (seen - factor * colour).norm() < 1 + 0.03 * bgr.mean();
+}
+
 }  // namespace
+
+const ColumnScan::Limits ColumnScan::kJoint{kWidestLine_m, 0.035, kFloorIsBack};
+const ColumnScan::Limits ColumnScan::kPatch{0.5, 0.075, 8};
 
 /// The same colour in another light: all three channels have changed by the same factor.
 bool ColumnScan::is_shade_of(const Eigen::Vector3d& floor_bgr, const Eigen::Vector3d& bgr) const {
   const Eigen::Array3d factor = bgr.array().max(1) / floor_bgr.array().max(1);
   const double slack =
-      kSameColour + kColourNoise / std::max(1.0, std::min(bgr.minCoeff(), floor_bgr.minCoeff()));
+      kSameColour +
+      std::min(0.1, kColourNoise / std::max(1.0, std::min(bgr.minCoeff(), floor_bgr.minCoeff())));
+  if (is_dull_shade(floor_bgr, bgr)) return true;
   return factor.maxCoeff() <= factor.minCoeff() * (1 + slack) && factor.maxCoeff() < kDeepestShade &&
          factor.minCoeff() > 1 / kDeepestShade;
 }
 
 /// Shade keeps the floor's pattern; a board or a box in the floor's colour is smooth on a rough floor.
-bool ColumnScan::is_as_rough_as_floor(int column, int from, int to) const {
-  const bool far = scale_.depth_m[static_cast<std::size_t>(from)] > kPatternSeen_m;
-  if (far || texture_.light_sigma < kRough || from - to < kSurfaceRows) return true;
+bool ColumnScan::is_as_rough_as_floor(int column, int from, int to, bool unless_told) const {
+  if (texture_.light_sigma < kRough || from - to < kSurfaceRows) return unless_told;
   int sum = 0;
   int n = 0;
   for (int r = from; r - 3 >= to; --r, ++n)
     sum += std::abs(grid_.look(column, r).light - grid_.look(column, r - 3).light);
-  return n == 0 || 0.886 * sum / n > 0.3 * texture_.light_sigma;
+  if (n == 0 || 0.886 * sum / n > 0.3 * texture_.light_sigma) return true;
+  const bool far = scale_.depth_m[static_cast<std::size_t>(from)] > kPatternSeen_m;
+  return far && unless_told;
 }
 
 /// The row from which the floor, or the `surface` it has turned into, goes on after an interruption at `row`
 /// too short to be an obstacle, or -1.
-int ColumnScan::end_of_joint(int column, int row, int top, const Surface* surface) const {
+int ColumnScan::end_of_joint(int column, int row, int top, const Surface* surface,
+                             const Limits& limits) const {
   const double from_m = scale_.depth_m[static_cast<std::size_t>(row)];
   int floor_rows = 0;
   for (int r = row; r >= top; --r) {
@@ -59,10 +80,10 @@ int ColumnScan::end_of_joint(int column, int row, int top, const Surface* surfac
     const bool floor = is_floor(look) || (surface && is_on(surface->look, surface->lighter, look));
     floor_rows = floor ? floor_rows + 1 : 0;
     if (floor_rows == 0) {
-      const double as_obstacle_m = scale_.height_m * (1 - from_m / to_m);
-      if (to_m - from_m > kWidestLine_m || as_obstacle_m > kLowestObstacle_m) return -1;
+      const double upright_m = scale_.height_m * (1 - from_m / to_m);
+      if (to_m - from_m > limits.width_m || upright_m > limits.obstacle_m) return -1;
     }
-    if (floor_rows >= kFloorIsBack) return r;
+    if (floor_rows >= limits.floor_rows) return r;
   }
   return -1;
 }
@@ -73,16 +94,16 @@ ColumnScan::Width ColumnScan::width_at(int column, int row, int limit) const {
   if (is_floor(grid_.look(column, row))) return {0, true};
   int left = column;
   int right = column;
-  while (left > 0 && column - left <= limit && !is_floor(grid_.look(left - 1, row))) --left;
-  while (right + 1 < grid_.columns() && right - left <= limit && !is_floor(grid_.look(right + 1, row)))
-    ++right;
-  return {right - left + 1, left > 0 && right + 1 < grid_.columns()};
+  const auto shown = [&](int at) { return at >= 0 && at < grid_.columns() && grid_.sees(at, row); };
+  while (shown(left - 1) && column - left <= limit && !is_floor(grid_.look(left - 1, row))) --left;
+  while (shown(right + 1) && right - left <= limit && !is_floor(grid_.look(right + 1, row))) ++right;
+  return {right - left + 1, shown(left - 1) && shown(right + 1)};
 }
 
 /// A line that runs away from the robot keeps its width on the floor, so it narrows in the picture; a post
 /// keeps its width in the picture, and a box's corner widens. Where a line ends at something wide, that
 /// begins there.
-ColumnScan::Verdict ColumnScan::judge_line(int column, int row, int top) const {
+ColumnScan::Verdict ColumnScan::judge_line(int column, int row, int top) {
   const Verdict obstacle{false, row};
   const double from_m = scale_.depth_m[static_cast<std::size_t>(row)];
   const int start = std::max(row - 1, top);
@@ -95,7 +116,10 @@ ColumnScan::Verdict ColumnScan::judge_line(int column, int row, int top) const {
     const int limit = std::max(1, static_cast<int>(kWidestLine_m * scale_.focal_cells / depth_m));
     const Width width = width_at(column, r, limit);
     floor_rows = width.cells == 0 ? floor_rows + 1 : 0;
-    if (floor_rows >= kFloorIsBack) return {true, r};
+    if (floor_rows >= kFloorIsBack) {
+      cross(row, r + kFloorIsBack, false, true);
+      return {true, r};
+    }
     if (width.cells == 0) continue;
     if (start - r < kFirstLineRows) widest = std::max(widest, width.cells);
     const bool too_wide = width.cells > limit;
@@ -106,7 +130,9 @@ ColumnScan::Verdict ColumnScan::judge_line(int column, int row, int top) const {
       const double wide_from_m = scale_.depth_m[static_cast<std::size_t>(wide_row)];
       if (depth_m - wide_from_m <= kWidestLine_m) continue;
       const bool was_line = start - wide_row >= kLineRows && newest <= widest && wide_from_m > 1.15 * from_m;
-      return was_line ? Verdict{false, wide_row} : obstacle;
+      if (!was_line) return obstacle;
+      cross(row, wide_row, false, true);
+      return {false, wide_row};
     }
     wide_row = -1;
     if (width.cells >= widest && depth_m > (1.5 + 1.0 / widest) * from_m) return obstacle;
@@ -165,9 +191,12 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) {
   surface.look.start(shade);
   int end = end_of_surface(column, settled, top, surface);
   for (int joints = 0; end >= top && joints < kMostJoints; ++joints) {
-    const int back = end_of_joint(column, end, top, &surface);
+    const int back = end_of_joint(column, end, top, &surface, kJoint);
     if (back < 0) break;
-    if (is_floor(mean_look(column, back, back + kFloorIsBack - 1))) return {true, back};
+    if (is_floor(mean_look(column, back, back + kFloorIsBack - 1))) {
+      cross(row, end, false, false);
+      return {true, back};
+    }
     end = end_of_surface(column, back, top, surface);
   }
   if (end < top) return obstacle;
@@ -177,24 +206,41 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) {
   const bool as_lit = next.light >= floor.light - kSameLight && next.light <= brightest_ + kSameLight;
   const bool lit_again = as_lit && is_shade_of(floor_bgr, next_bgr);
   if (lit_again) floor_.start(next);
-  if (lit_again || is_floor(next)) return {true, beyond};
+  if (lit_again || is_floor(next)) {
+    cross(row, end, false, false);
+    return {true, beyond};
+  }
   // No shade is lighter than the floor has been in this column, but a skirting board is; a deeper band is lit
   // floor beyond the shade.
-  const double as_obstacle_m = scale_.height_m * (1 - scale_.depth_m[static_cast<std::size_t>(row)] /
-                                                          scale_.depth_m[static_cast<std::size_t>(end)]);
-  if (shade.light > std::max(floor.light, brightest_) && as_obstacle_m < kSkirting_m) return obstacle;
-  if (!is_as_rough_as_floor(column, settled, end + 1)) return obstacle;
-  if (!is_shade_of(floor_bgr, next_bgr)) return {false, end};
-  surface.look.start(next);
-  surface.lighter = next.light - floor_.look().light;
-  const bool tall = end_of_surface(column, beyond, top, surface) < top;
-  return tall ? Verdict{false, end} : obstacle;
+  const bool lighter = shade.light > std::max(floor.light, brightest_);
+  const bool as_board = lighter && as_obstacle_m(row, end) < kSkirting_m;
+  const bool crisp = row - settled < kCrispRows;
+  const bool doubtful = !is_as_rough_as_floor(column, settled, end + 1, !as_board && !crisp);
+  if (is_shade_of(floor_bgr, next_bgr)) {
+    surface.look.start(next);
+    surface.lighter = next.light - floor_.look().light;
+    const bool tall = end_of_surface(column, beyond, top, surface) < top;
+    if (!tall) return obstacle;
+  }
+  cross(row, end, doubtful, false);
+  return {false, end};
 }
 
 ColumnScan::Verdict ColumnScan::judge(int column, int row, int top) {
   if (settings_.lines_are_obstacles) return judge_shade(column, row, top);
-  const int back = end_of_joint(column, row, top, nullptr);
-  if (back >= 0) return {true, back};
+  const int back = end_of_joint(column, row, top, nullptr, kJoint);
+  if (back >= 0) {
+    cross(row, back + kFloorIsBack, false, true);
+    return {true, back};
+  }
+  const int beyond = end_of_joint(column, row, top, nullptr, kPatch);
+  if (beyond >= 0) {
+    const int end = beyond + kPatch.floor_rows;
+    const bool smooth = !is_as_rough_as_floor(column, row - 1, end + 1, true);
+    cross(row, end, smooth,
+          !is_shade_of(mean_colour(column, row + 2, row + 8), mean_colour(column, end + 1, row - 1)));
+    return {true, beyond};
+  }
   const Verdict shade = judge_shade(column, row, top);
   if (shade.floor_goes_on || shade.row != row) return shade;
   return judge_line(column, row, top);

@@ -45,9 +45,10 @@ ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& sta
   floor_.start(start);
   foot_ = start;
   brightest_ = std::max(start.light, home_light_);
+  crossed_.crossing_count = 0;
   if (span.bottom_row < 0) return {};
   if (span.horizon_row >= span.bottom_row) return {.end = ColumnResult::End::above_horizon};
-  const int top = std::max(0, span.horizon_row < 0 ? 0 : span.horizon_row - kRowsPastHorizon);
+  const int top = std::max(span.top_row, span.horizon_row - kRowsPastHorizon);
   int evidence = 0;
   int first_odd = span.bottom_row;
   for (int row = span.bottom_row; row >= top; row -= row > scale_.coarse_row ? 2 : 1) {
@@ -64,13 +65,48 @@ ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& sta
     if (row >= span.bottom_row - kFootRows && evidence == 0) foot_ = floor_.look();
     if (evidence < kWalkAlarm) continue;
     const Verdict verdict = judge(column, first_odd, top);
-    if (!verdict.floor_goes_on) return refined(column, verdict.row, span);
+    if (!verdict.floor_goes_on) return with_crossings(refined(column, verdict.row, span));
     row = verdict.row;
     evidence = 0;
   }
-  if (span.horizon_row >= kRowsPastHorizon / 2) return from_above(column, span, top);
-  return {.end = ColumnResult::End::floor_to_top,
-          .row = span.horizon_row < 0 ? -0.5 : span.horizon_row + 0.5};
+  if (span.horizon_row >= span.top_row + kRowsPastHorizon / 2)
+    return with_crossings(from_above(column, span, top));
+  return with_crossings({.end = ColumnResult::End::floor_to_top,
+                         .row = (span.horizon_row < 0 ? span.top_row - 1 : span.horizon_row) + 0.5});
+}
+
+ColumnResult ColumnScan::with_crossings(ColumnResult result) const {
+  result.crossing_count = crossed_.crossing_count;
+  result.crossings = crossed_.crossings;
+  return result;
+}
+
+double ColumnScan::as_obstacle_m(int from_row, int to_row) const {
+  return scale_.height_m * (1 - scale_.depth_m[static_cast<std::size_t>(from_row)] /
+                                    scale_.depth_m[static_cast<std::size_t>(std::max(to_row, 0))]);
+}
+
+void ColumnScan::cross(int from_row, int to_row, bool doubtful, bool patch) {
+  constexpr double kWorthIt_m = 0.006;
+  const double upright_m = as_obstacle_m(from_row, to_row);
+  if (crossed_.crossing_count == ColumnResult::kMostCrossings || upright_m < kWorthIt_m) return;
+  crossed_.crossings[static_cast<std::size_t>(crossed_.crossing_count++)] = {
+      from_row, to_row, static_cast<float>(upright_m), doubtful, false, patch};
+}
+
+double ColumnScan::change_between(int column, int other, int from_row, int to_row) const {
+  int changed = 0;
+  int rows = 0;
+  const int light = std::max(5, tolerance_.light * 2 / 3);
+  const int colour = std::max(4, tolerance_.colour * 2 / 3);
+  for (int r = from_row; r > to_row; --r, ++rows) {
+    if (!grid_.sees(column, r) || !grid_.sees(other, r)) continue;
+    const Look a = grid_.look(column, r);
+    const Look b = grid_.look(other, r);
+    changed += std::abs(a.light - b.light) > light || std::abs(a.red - b.red) > colour ||
+               std::abs(a.blue - b.blue) > colour;
+  }
+  return rows == 0 ? 0 : static_cast<double>(changed) / rows;
 }
 
 /// The floor's look went through the horizon: what stands there looks much like the floor. What is above the
@@ -115,7 +151,7 @@ ColumnResult ColumnScan::refined(int column, int row, const ColumnSpan& span) co
     return {.end = ColumnResult::End::not_floor_below, .row = span.bottom_row + 0.5};
   constexpr int kReach = 3;
   const int low = std::min(row + kReach, span.bottom_row);
-  const int high = std::max(row - kReach, 0);
+  const int high = std::max(row - kReach, span.top_row);
   const Eigen::Vector3d floor = mean_colour(column, row + 2, std::min(row + 7, span.bottom_row));
   const Eigen::Vector3d thing = mean_colour(column, row - 5, row - 2);
   const Eigen::Vector3d step = thing - floor;

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "vision/floor_looks.h"
@@ -17,14 +18,30 @@ struct ColumnResult {
     above_horizon,    ///< no cell lies below the horizon
     nothing           ///< no usable cell
   };
+  /// Something of another look that was taken for a part of the floor: shade, a patch of sun, a tile. What
+  /// stands upright is none; that only the neighbouring columns tell.
+  struct Crossing {
+    int from_row = 0;       ///< the lowest row that is not the floor below
+    int to_row = 0;         ///< the first row above it
+    float upright_m = 0;    ///< how high it is if it stands upright
+    bool doubtful = false;  ///< by itself it looks like a thing
+    bool flat = false;      ///< it lies on the floor, say its sides
+    bool patch = false;     ///< not the floor's own colour in another light
+  };
+  static constexpr int kMostCrossings = 6;
+
   End end = End::nothing;
   double row = 0;        ///< where the floor ends, sub-pixel; half rows lie between two cells
   double sigma_row = 1;  ///< in grid rows
+  int stop = -1;         ///< the crossing that turned out to be a thing
+  int crossing_count = 0;
+  std::array<Crossing, kMostCrossings> crossings{};
 };
 
 /// Where a column is below and above the horizon, in rows; fixed by the neck's position.
 struct ColumnSpan {
   int bottom_row = -1;   ///< the lowest usable row; -1: none
+  int top_row = 0;       ///< the highest usable row
   int horizon_row = -1;  ///< the lowest row whose ray does not go down; -1: even the top row goes down
 };
 
@@ -51,6 +68,12 @@ class ColumnScan {
   /// `home` is the main look of the floor where `looks` was learnt.
   void prepare(const FloorTexture& texture, const Look& home, const ScanSettings& settings);
   ColumnResult run(int column, const ColumnSpan& span, const Look& start);
+  /// The answer for a column where the floor ends below `row`.
+  ColumnResult ends_at(int column, int row, const ColumnSpan& span) const {
+    return refined(column, row, span);
+  }
+  /// How much of the rows shows a change from one column to another.
+  double change_between(int column, int other, int from_row, int to_row) const;
   /// The floor's look at the column's foot as followed by the last run(), to start its neighbour with.
   const Look& foot() const { return foot_; }
 
@@ -73,15 +96,23 @@ class ColumnScan {
   bool is_shade_of(const Eigen::Vector3d& floor_bgr, const Eigen::Vector3d& bgr) const;
   /// Means over rows of a column.
   Eigen::Vector3d mean_colour(int column, int from, int to) const;
-  bool is_as_rough_as_floor(int column, int from, int to) const;
+  bool is_as_rough_as_floor(int column, int from, int to, bool unless_told) const;
   Look mean_look(int column, int from, int to) const;
   Verdict judge(int column, int row, int top);
   struct Surface {
     LookFollower look;
     int lighter;  ///< than the floor, in Look units
   };
-  int end_of_joint(int column, int row, int top, const Surface* surface) const;
-  Verdict judge_line(int column, int row, int top) const;
+  struct Limits {
+    double width_m;     ///< at most so deep on the floor
+    double obstacle_m;  ///< less than so high if it stood upright
+    int floor_rows;     ///< of floor beyond it
+  };
+  static const Limits kJoint, kPatch;
+  int end_of_joint(int column, int row, int top, const Surface* surface, const Limits& limits) const;
+  double as_obstacle_m(int from_row, int to_row) const;
+  void cross(int from_row, int to_row, bool doubtful, bool patch);
+  Verdict judge_line(int column, int row, int top);
   Verdict judge_shade(int column, int row, int top);
   int end_of_surface(int column, int row, int top, Surface surface) const;
   int end_of_ramp(int column, int row, int top) const;
@@ -91,6 +122,7 @@ class ColumnScan {
   };
   Width width_at(int column, int row, int limit) const;
   ColumnResult from_above(int column, const ColumnSpan& span, int top) const;
+  ColumnResult with_crossings(ColumnResult result) const;
   ColumnResult refined(int column, int row, const ColumnSpan& span) const;
 
   const PictureGrid& grid_;
@@ -102,6 +134,7 @@ class ColumnScan {
   LookFollower floor_;
   int home_light_ = 0;
   int brightest_ = 0;  ///< of the floor in this column so far
+  ColumnResult crossed_;
   Look foot_;
 };
 

@@ -23,7 +23,7 @@ ColumnResult scan_fixed_colour(const PictureGrid& grid, int column, const Column
                                const SonarSettings& settings) {
   if (span.bottom_row < 0) return {};
   if (span.horizon_row >= span.bottom_row) return {.end = ColumnResult::End::above_horizon};
-  for (int row = span.bottom_row; row > span.horizon_row; --row) {
+  for (int row = span.bottom_row; row > span.horizon_row && row >= span.top_row; --row) {
     const auto value = hsv(grid.colour(column, row));
     bool inside = true;
     for (std::size_t i = 0; i < 3; ++i)
@@ -33,7 +33,7 @@ ColumnResult scan_fixed_colour(const PictureGrid& grid, int column, const Column
         row == span.bottom_row ? ColumnResult::End::not_floor_below : ColumnResult::End::boundary;
     return {.end = end, .row = row + 0.5, .sigma_row = 0.5};
   }
-  return {.end = ColumnResult::End::floor_to_top, .row = span.horizon_row + 0.5};
+  return {.end = ColumnResult::End::floor_to_top, .row = std::max(span.horizon_row, span.top_row - 1) + 0.5};
 }
 
 }  // namespace mirada::vision

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vision/upright.h"
+
 namespace mirada::vision {
 namespace {
 
@@ -90,6 +92,7 @@ void FloorMemory::scan_columns(const PictureGrid& grid, const std::vector<Column
   for (int column = middle - 1; column >= 0; --column) start = run(column, start);
   start = foot;
   for (int column = middle + 1; column < grid.columns(); ++column) start = run(column, start);
+  stop_at_upright(scan, spans, results);
   close_gaps(results);
 }
 
@@ -114,6 +117,8 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
   column_scan.prepare(texture_, home_, settings);
   scan_columns(grid, spans, column_scan, results);
   if (first) {
+    // What this picture alone shows of a floor's other colours.
+    if (learn_patches(grid, results)) scan_columns(grid, spans, column_scan, results);
     trusted_ = plausible(results);
     return trusted_;
   }
@@ -123,6 +128,24 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
   }
   can_learn_ = shows_floor && plausible(results);
   return true;
+}
+
+bool FloorMemory::learn_patches(const PictureGrid& grid, const std::vector<ColumnResult>& results) {
+  constexpr int kPatchWeight = 6;
+  int columns = 0;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const ColumnResult& result = results[i];
+    bool any = false;
+    for (int k = 0; k < result.crossing_count; ++k) {
+      const ColumnResult::Crossing& c = result.crossings[static_cast<std::size_t>(k)];
+      if (!c.patch || !c.flat) continue;
+      any = true;
+      for (int row = c.from_row - 2; row > c.to_row + 2; row -= 2)
+        looks_.add(grid.look(static_cast<int>(i), row), kPatchWeight);
+    }
+    columns += any;
+  }
+  return columns > 0;
 }
 
 void FloorMemory::learn(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,

@@ -32,6 +32,7 @@ class FloorMemory {
   bool is_frozen(const PictureGrid& grid, const Place& place);
   void scan_columns(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, ColumnScan& scan,
                     std::vector<ColumnResult>& results) const;
+  bool learn_patches(const PictureGrid& grid, const std::vector<ColumnResult>& results);
   bool is_lost(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
                const std::vector<ColumnResult>& results, const Place& place);
 

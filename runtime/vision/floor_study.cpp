@@ -68,12 +68,18 @@ void FloorStudy::look_along_columns() {
   for (int i = 0; i < kColumns; ++i) {
     const Sample* column = &samples_[static_cast<std::size_t>(i * kRows)];
     std::array<bool, kGroups> inner{};
+    int first_group = kNoGroup;
     int before = kNoGroup;
     int now = kNoGroup;
     for (int j = 0; j < heights_[static_cast<std::size_t>(i)]; ++j) {
       const int group = column[j].group;
       if (!counts(group) || group == now) continue;
-      if (now == kNoGroup) ++groups_[static_cast<std::size_t>(group)].foot_columns;
+      if (now == kNoGroup) {
+        ++groups_[static_cast<std::size_t>(group)].foot_columns;
+        first_group = group;
+      } else if (now == first_group && before == kNoGroup) {
+        ++groups_[static_cast<std::size_t>(first_group)].ended_columns;
+      }
       if (now != kNoGroup && group == before) inner[static_cast<std::size_t>(now)] = true;
       before = now;
       now = group;
@@ -104,7 +110,8 @@ bool FloorStudy::choose_floor() {
     Group& group = groups_[static_cast<std::size_t>(i)];
     if (!counts(i)) continue;
     grouped += group.size;
-    group.floor = group.inner_columns >= kColumns / 8 || group.parted_rows >= kRows / 4;
+    const bool low = group.foot_columns >= kColumns / 8 && group.ended_columns * 5 >= group.foot_columns * 3;
+    group.floor = low || group.inner_columns >= kColumns / 8 || group.parted_rows >= kRows / 4;
     if (group.foot_columns >= kColumns / 4 && (!main || group.size > main->size)) main = &group;
   }
   if (!main || main->size * 5 < sample_count_ || grouped * 5 < sample_count_ * 3) return false;
@@ -161,6 +168,29 @@ void FloorStudy::teach(FloorLooks& looks) const {
       const Sample& s = samples_[static_cast<std::size_t>(i * kRows + j)];
       if (s.group == kNoGroup || !groups_[static_cast<std::size_t>(s.group)].floor) continue;
       looks.add(s.look, kWeightOfASample);
+    }
+  }
+  teach_mixtures(looks);
+}
+
+/// Far away a pattern's colours run into each other.
+void FloorStudy::teach_mixtures(FloorLooks& looks) const {
+  const auto mean = [](const Group& g) {
+    return Look{g.light_sum / g.size, g.red_sum / g.size, g.blue_sum / g.size};
+  };
+  for (int i = 0; i < group_count_; ++i) {
+    for (int j = 0; j < i; ++j) {
+      const Group& a = groups_[static_cast<std::size_t>(i)];
+      const Group& b = groups_[static_cast<std::size_t>(j)];
+      if (!a.floor || !b.floor) continue;
+      const Look from = mean(a);
+      const Look to = mean(b);
+      const auto mixed = [](int x, int y, int part) { return x + (y - x) * part / 8; };
+      for (int part = 1; part < 8; ++part) {
+        looks.add({mixed(from.light, to.light, part), mixed(from.red, to.red, part),
+                   mixed(from.blue, to.blue, part)},
+                  5 * kWeightOfASample);
+      }
     }
   }
 }

@@ -36,6 +36,7 @@ class FloorStudy {
     int light_sum = 0, red_sum = 0, blue_sum = 0;
     int size = 0;
     int foot_columns = 0;   ///< columns that it begins
+    int ended_columns = 0;  ///< columns that it begins and another goes on with
     int inner_columns = 0;  ///< columns where it lies between two parts of another
     int parted_rows = 0;    ///< rows where something else lies between two parts of it
     bool floor = false;
@@ -50,6 +51,7 @@ class FloorStudy {
   bool counts(int group) const;
   void look_along_columns();
   void look_along_rows();
+  void teach_mixtures(FloorLooks& looks) const;
   bool choose_floor();
   void measure_texture(const PictureGrid& grid, int bottom, int top);
 

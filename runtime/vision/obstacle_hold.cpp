@@ -54,9 +54,8 @@ struct ObstacleHold::View {
   std::optional<Cell> cell(const Eigen::Vector2d& p_R_m) const {
     const auto pixel = ground.pixel(p_R_m);
     if (!pixel) return std::nullopt;
-    const double across = grid.u_px(1) - grid.u_px(0);
-    const int column = static_cast<int>(std::floor((pixel->x() + 0.5) / across));
-    if (column < 0 || column >= grid.columns() || span(column).bottom_row < 4) return std::nullopt;
+    const int column = grid.column_at(pixel->x(), pixel->y());
+    if (column < 0 || span(column).bottom_row < 4) return std::nullopt;
     return Cell{column, (pixel->y() + 0.5) / grid.pixels_down() - 0.5};
   }
 
@@ -74,7 +73,7 @@ struct ObstacleHold::View {
     const auto top = h > 2 * kFoot_m ? cell(lens() + (p_R_m - lens()) * (h / (h - kFoot_m))) : std::nullopt;
     const int low = std::clamp(static_cast<int>(std::lround(at.row)) - 1, 2, span(at.column).bottom_row);
     const int wanted = top ? static_cast<int>(std::lround(top->row)) : low - 4;
-    const int high = std::clamp(wanted, 0, low - 2);
+    const int high = std::clamp(wanted, span(at.column).top_row, low - 2);
     Look sum{0, 0, 0};
     for (int row = high; row <= low; ++row) {
       const Look look = grid.look(at.column, row);

@@ -31,6 +31,14 @@ double crossing_m(const Vector2d& ray, const Vector2d& a, const Vector2d& b, dou
 
 bool is_place(Answer answer) { return answer == Answer::blocked || answer == Answer::clear; }
 
+/// The point on `column` as far from its foot as `end` is from its own.
+Vector2d beside(const ColumnEnd& end, const ColumnEnd& column) {
+  const Vector2d way = column.end_R_m - column.foot_R_m;
+  const double length_m = way.norm();
+  if (length_m < 1e-9) return column.end_R_m;
+  return column.foot_R_m + way * ((end.end_R_m - end.foot_R_m).norm() / length_m);
+}
+
 class Sweep {
  public:
   Sweep(const std::vector<ColumnEnd>& columns, double heading_rad, double sigma_heading_rad,
@@ -45,6 +53,8 @@ class Sweep {
   double relative_rad(const Vector2d& p) const { return wrap_rad(std::atan2(p.y(), p.x()) - heading_rad_); }
   void offer(SonarReading& reading, Answer answer, double distance_m, double sigma_m);
   void cross_one(SonarReading& reading, const ColumnEnd& left, const ColumnEnd& right);
+  void past_edge(const ColumnEnd& left, const ColumnEnd& right);
+  void beside_unknown(SonarReading& reading, const ColumnEnd& left, const ColumnEnd& right);
   /// Calls back for every reading whose bearing lies between the two, heading-relative.
   template <class F>
   void for_bearings(double from_rad, double to_rad, F&& f);
@@ -91,40 +101,54 @@ void Sweep::offer(SonarReading& reading, Answer answer, double distance_m, doubl
   reading.sigma_m = is_place(answer) ? sigma_m : kNan;
 }
 
-void Sweep::cross_one(SonarReading& reading, const ColumnEnd& left, const ColumnEnd& right) {
-  const bool both = is_place(left.answer) && is_place(right.answer);
-  if (!both) {
-    const ColumnEnd& known = is_place(left.answer) ? left : right;
-    const ColumnEnd& other = is_place(left.answer) ? right : left;
-    if (known.answer == Answer::blocked) {
-      offer(reading, Answer::blocked, known.end_R_m.norm(), known.sigma_m);
-    } else {
-      offer(reading, other.answer, 0, 0);
-    }
-    return;
+void Sweep::beside_unknown(SonarReading& reading, const ColumnEnd& left, const ColumnEnd& right) {
+  const ColumnEnd& known = is_place(left.answer) ? left : right;
+  const ColumnEnd& other = is_place(left.answer) ? right : left;
+  if (known.answer == Answer::blocked) {
+    offer(reading, Answer::blocked, known.end_R_m.norm(), known.sigma_m);
+  } else {
+    offer(reading, other.answer, 0, 0);
   }
+}
+
+void Sweep::cross_one(SonarReading& reading, const ColumnEnd& left, const ColumnEnd& right) {
   const double left_m = left.end_R_m.norm();
   const double right_m = right.end_R_m.norm();
-  const ColumnEnd& nearer = left_m < right_m ? left : right;
-  const double gap_m = std::abs(left_m - right_m);
-  if (left.answer != right.answer || gap_m > kJump_m + kJumpShare * std::min(left_m, right_m)) {
-    const ColumnEnd& kept = left.answer == right.answer      ? nearer
-                            : left.answer == Answer::blocked ? left
-                                                             : right;
-    offer(reading, kept.answer, kept.end_R_m.norm(), kept.sigma_m);
-    return;
-  }
   const Vector2d ray(std::cos(reading.bearing_rad), std::sin(reading.bearing_rad));
   double distance_m = crossing_m(ray, left.end_R_m, right.end_R_m, 1e-3);
-  if (std::isnan(distance_m)) distance_m = nearer.end_R_m.norm();
+  if (std::isnan(distance_m)) distance_m = std::min(left_m, right_m);
   const double turn_rad = std::abs(relative_rad(left.end_R_m) - relative_rad(right.end_R_m));
-  const double slope_m = turn_rad > 1e-4 ? gap_m / turn_rad * sigma_heading_rad_ : 0;
+  const double slope_m = turn_rad > 1e-4 ? std::abs(left_m - right_m) / turn_rad * sigma_heading_rad_ : 0;
   offer(reading, left.answer, distance_m, std::hypot(std::max(left.sigma_m, right.sigma_m), slope_m));
 }
 
+/// Up to the nearer thing's side it counts, beyond it what lies farther off: also where that is hidden from
+/// the lens but not from the robot's origin.
+void Sweep::past_edge(const ColumnEnd& left, const ColumnEnd& right) {
+  const bool left_nearer = left.end_R_m.squaredNorm() < right.end_R_m.squaredNorm();
+  const ColumnEnd& nearer = left_nearer ? left : right;
+  const ColumnEnd& farther = left_nearer ? right : left;
+  const double share = left_nearer ? left.edge : 1 - left.edge;
+  const Vector2d side = nearer.end_R_m + share * (beside(nearer, farther) - nearer.end_R_m);
+  const double side_rad = relative_rad(side);
+  const auto give = [&](const ColumnEnd& end) {
+    for_bearings(relative_rad(end.end_R_m), side_rad,
+                 [&](SonarReading& reading) { offer(reading, end.answer, end.end_R_m.norm(), end.sigma_m); });
+  };
+  give(nearer);
+  give(farther);
+}
+
 void Sweep::between(const ColumnEnd& left, const ColumnEnd& right) {
-  for_bearings(relative_rad(left.end_R_m), relative_rad(right.end_R_m),
-               [&](SonarReading& reading) { cross_one(reading, left, right); });
+  if (is_jump(left, right)) return past_edge(left, right);
+  const bool places = is_place(left.answer) && is_place(right.answer);
+  for_bearings(relative_rad(left.end_R_m), relative_rad(right.end_R_m), [&](SonarReading& reading) {
+    if (places) {
+      cross_one(reading, left, right);
+    } else {
+      beside_unknown(reading, left, right);
+    }
+  });
 }
 
 /// The picture's side: bearings that come in through its foot leave there (clear so far); others only come in
@@ -150,6 +174,13 @@ void Sweep::side(const ColumnEnd& edge) {
 }
 
 }  // namespace
+
+bool is_jump(const ColumnEnd& a, const ColumnEnd& b) {
+  if (!is_place(a.answer) || !is_place(b.answer)) return false;
+  const double a_m = a.end_R_m.norm();
+  const double b_m = b.end_R_m.norm();
+  return a.answer != b.answer || std::abs(a_m - b_m) > kJump_m + kJumpShare * std::min(a_m, b_m);
+}
 
 void sweep(const std::vector<ColumnEnd>& columns, double heading_rad, double half_view_rad,
            double sigma_heading_rad, std::vector<SonarReading>& out) {

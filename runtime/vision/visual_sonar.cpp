@@ -12,6 +12,7 @@
 #include "vision/obstacle_hold.h"
 #include "vision/picture_grid.h"
 #include "vision/polar_sweep.h"
+#include "vision/thing_edge.h"
 
 namespace mirada::vision {
 namespace {
@@ -32,6 +33,7 @@ struct VisualSonar::Impl {
   bool scan_all(const Pose2& X_OR, const NeckAngles& neck);
   void see_nothing();
   void to_floor(std::size_t column);
+  void find_edges();
   void fill(SonarPercept& percept, const NeckAngles& neck);
 
   RobotConfig robot;
@@ -64,11 +66,7 @@ bool VisualSonar::Impl::prepare_size(const cv::Mat& bgr) {
   if (ground && bgr.cols == camera.width_px && bgr.rows == camera.height_px) return true;
   camera = robot.camera.scaled_to(bgr.cols, bgr.rows);
   grid.resize(camera);
-  spans.resize(static_cast<std::size_t>(grid.columns()));
-  results.resize(spans.size());
-  ends.resize(spans.size());
   scale.depth_m.resize(static_cast<std::size_t>(grid.rows()));
-  scale.focal_cells = camera.fx_px * grid.columns() / camera.width_px;
   ground.reset();
   return true;
 }
@@ -79,6 +77,11 @@ void VisualSonar::Impl::prepare_neck(const NeckAngles& neck) {
   ground.emplace(robot, camera, neck);
   prepared_neck = neck;
   if (same_tilt) return;  // how far a row looks does not depend on pan
+  grid.stand(ground->X_RC().linear().row(2).transpose());
+  spans.resize(static_cast<std::size_t>(grid.columns()));
+  results.resize(spans.size());
+  ends.resize(spans.size());
+  scale.focal_cells = 1 / grid.spacing_rad();
   const Eigen::Vector2d lens = ground->X_RC().translation().head<2>();
   const Eigen::Vector2d ahead = ground->X_RC().linear().col(2).head<2>().normalized();
   scale.height_m = ground->height_m();
@@ -94,13 +97,13 @@ void VisualSonar::Impl::prepare_neck(const NeckAngles& neck) {
     --scale.coarse_row;
   for (int column = 0; column < grid.columns(); ++column) {
     ColumnSpan& span = spans[static_cast<std::size_t>(column)];
-    span.bottom_row = grid.rows() - 1;
-    while (span.bottom_row >= 0 && !grid.sees(column, span.bottom_row)) --span.bottom_row;
+    span.bottom_row = grid.bottom_row(column);
+    span.top_row = grid.top_row(column);
     span.horizon_row = span.bottom_row;
-    while (span.horizon_row >= 0 && grid.sees(column, span.horizon_row) &&
-           ground->drop(grid.ray_C(column, span.horizon_row)) > 1e-4) {
+    while (span.horizon_row >= span.top_row && ground->drop(grid.ray_C(column, span.horizon_row)) > 1e-4) {
       --span.horizon_row;
     }
+    if (span.horizon_row < span.top_row) span.horizon_row = -1;
   }
 }
 
@@ -136,7 +139,7 @@ void VisualSonar::Impl::to_floor(std::size_t i) {
   out = {};
   if (spans[i].bottom_row < 0) return;
   const Eigen::Vector3d axis_R =
-      ground->X_RC().linear() * grid.ray_C(column, std::max(0, spans[i].horizon_row));
+      ground->X_RC().linear() * grid.ray_C(column, std::max(spans[i].top_row, spans[i].horizon_row));
   const Eigen::Vector2d lens = ground->X_RC().translation().head<2>();
   const Eigen::Vector2d away = axis_R.head<2>().normalized();
   out.end_R_m = lens + settings.range_m * away;
@@ -155,12 +158,27 @@ void VisualSonar::Impl::to_floor(std::size_t i) {
                                found.sigma_row * grid.pixels_down(), robot.mount);
 }
 
+/// Where two things stand side by side, one farther off: how far the nearer one reaches.
+void VisualSonar::Impl::find_edges() {
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    ColumnEnd& left = ends[i];
+    ColumnEnd& right = ends[i + 1];
+    if (!is_jump(left, right)) continue;
+    const bool left_nearer = left.end_R_m.squaredNorm() < right.end_R_m.squaredNorm();
+    const int column = static_cast<int>(i) + (left_nearer ? 0 : 1);
+    const int beside = static_cast<int>(i) + (left_nearer ? 1 : 0);
+    const double share = thing_edge(grid, column, beside, results[static_cast<std::size_t>(column)].row);
+    left.edge = left_nearer ? share : 1 - share;
+  }
+}
+
 void VisualSonar::Impl::fill(SonarPercept& percept, const NeckAngles& neck) {
   percept.boundary.reserve(ends.size());
+  for (std::size_t i = 0; i < ends.size(); ++i) to_floor(i);
+  if (settings.floor == SonarSettings::Floor::learnt) find_edges();
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    to_floor(i);
     const double row = results[i].end == ColumnResult::End::nothing ? spans[i].bottom_row : results[i].row;
-    percept.boundary.push_back({static_cast<float>(grid.u_px(static_cast<int>(i))),
+    percept.boundary.push_back({static_cast<float>(grid.u_px(static_cast<int>(i), row)),
                                 static_cast<float>(grid.v_px(row)), ends[i].answer});
   }
   percept.readings.reserve(static_cast<std::size_t>(deg(camera.hfov_rad())) + 2);

@@ -51,13 +51,34 @@ TEST(PolarSweep, BearingsAreWholeDegreesOfTheRobotWhereverTheNeckPoints) {
   }
 }
 
-TEST(PolarSweep, AtAnEdgeTheNearerThingCounts) {
-  const auto readings = swept(fan([](double bearing_deg, const Eigen::Vector2d& way) {
+TEST(PolarSweep, AtAnEdgeTheNearerThingCountsUpToItsSide) {
+  auto columns = fan([](double bearing_deg, const Eigen::Vector2d& way) {
     return ColumnEnd{Answer::blocked, {}, (bearing_deg > 4.8 ? 0.5 : 2.0) * way, 0.01};
-  }));
+  });
+  const std::size_t last = 33;  // of the nearer thing's columns, at 5.25 degrees; the next is at 4.5
+  auto readings = swept(columns);
   EXPECT_NEAR(readings[30 + 6].distance_m, 0.5, 0.01);
-  EXPECT_NEAR(readings[30 + 5].distance_m, 0.5, 0.01);  // between two columns: the nearer
+  EXPECT_NEAR(readings[30 + 5].distance_m, 0.5, 0.01);  // the middle between the two columns is at 4.87
   EXPECT_NEAR(readings[30 + 4].distance_m, 2.0, 0.01);
+  columns[last].edge = 0.1;
+  readings = swept(columns);
+  EXPECT_NEAR(readings[30 + 6].distance_m, 0.5, 0.01);
+  EXPECT_NEAR(readings[30 + 5].distance_m, 2.0, 0.01);
+}
+
+TEST(PolarSweep, BesideANearThingTheRobotSeesPastWhatHidesTheFloorFromItsLens) {
+  // The lens is 0.3 m ahead of the robot's origin. A thing stands 0.2 m ahead of the lens, to its left.
+  std::vector<ColumnEnd> columns;
+  for (double bearing_deg = 30; bearing_deg >= -30; bearing_deg -= 0.75) {
+    const Eigen::Vector2d way(std::cos(rad(bearing_deg)), std::sin(rad(bearing_deg)));
+    const Eigen::Vector2d lens(0.3, 0);
+    const bool thing = bearing_deg < 20;
+    columns.push_back({Answer::blocked, lens + 0.05 * way, lens + (thing ? 0.2 : 2.0) * way, 0.01});
+  }
+  const auto readings = swept(columns);
+  // The thing's side is at atan(0.2 sin 20 / (0.3 + 0.2 cos 20)) = 8 degrees, the far wall begins at 17.6.
+  EXPECT_LT(readings[30 + 7].distance_m, 0.6);
+  EXPECT_NEAR(readings[30 + 12].distance_m, 2.3, 0.1);
 }
 
 TEST(PolarSweep, ClearIsClearAndAnObstacleInFrontOfItWins) {

@@ -1,0 +1,187 @@
+#include "vision/upright.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mirada::vision {
+namespace {
+
+using Crossing = ColumnResult::Crossing;
+using End = ColumnResult::End;
+
+constexpr int kRun = 6;                // columns from a side inwards that tell how tall it is there
+constexpr double kTallAtOnce = 0.45;   // of the tallest in the run, in the outermost column
+constexpr double kTallAfterOne = 0.6;  // in the one beside it
+constexpr double kOverlap = 0.4;
+constexpr double kAlike = 0.35;  // a side that falls off faster is upright
+constexpr double kVaries = 0.12;
+constexpr double kSeenShare = 0.35;  // of the side
+constexpr double kSideSeen = 0.65;   // of the rows
+constexpr float kWorthIt_m = 0.025;  // lower things are passed over
+constexpr int kSpeckColumns = 4;
+constexpr int kSpeckRows = 14;
+constexpr double kSameFoot_rows = 4;
+constexpr int kNarrowest = 3;  // columns of a patch that can be judged
+
+int height(const Crossing& c) { return c.from_row - c.to_row; }
+
+bool overlap(const Crossing& a, const Crossing& b) {
+  const int shared = std::min(a.from_row, b.from_row) - std::max(a.to_row, b.to_row);
+  const int lower = std::min(height(a), height(b));
+  return shared >= kOverlap * lower && lower >= kAlike * std::max(height(a), height(b));
+}
+
+const Crossing* beside(const Crossing& c, const ColumnResult& next) {
+  for (int i = 0; i < next.crossing_count; ++i) {
+    const Crossing& other = next.crossings[static_cast<std::size_t>(i)];
+    if (overlap(c, other)) return &other;
+  }
+  return nullptr;
+}
+
+enum class Side {
+  upright,
+  slanting,
+  unknown,
+  joined  ///< the neighbouring column ends at its foot
+};
+
+/// How high what was crossed would be if it stood upright, over its columns: the same everywhere for a board
+/// or a box, another everywhere for what lies on the floor.
+struct Heights {
+  double sum = 0, squares = 0;
+  int count = 0;
+
+  void add(const Crossing& c) {
+    const double m = static_cast<double>(c.upright_m);
+    sum += m, squares += m * m, ++count;
+  }
+  bool vary() const {
+    const double mean = sum / count;
+    return count >= kRun && squares / count - mean * mean > kVaries * kVaries * mean * mean;
+  }
+};
+
+/// Walks from `start` by `step` columns as far as the crossed thing goes; says what its side is like.
+Side side_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
+             const std::vector<ColumnSpan>& spans, int start, int step, const Crossing& crossing, int& last,
+             Heights& heights) {
+  const Crossing* before[kRun] = {&crossing};
+  int known = 1;
+  int column = start;
+  const int count = static_cast<int>(results.size());
+  for (int next = start + step; next >= 0 && next < count; next += step) {
+    const Crossing* c = beside(*before[0], results[static_cast<std::size_t>(next)]);
+    if (!c) break;
+    std::move_backward(before, before + kRun - 1, before + kRun);
+    before[0] = c;
+    heights.add(*c);
+    known = std::min(known + 1, kRun);
+    column = next;
+  }
+  last = column;
+  const int outside = column + step;
+  if (outside < 0 || outside >= count) return Side::unknown;
+  const ColumnResult& next = results[static_cast<std::size_t>(outside)];
+  const Crossing& end = *before[0];
+  if (next.end == End::boundary && std::abs(next.row - end.from_row) < kSameFoot_rows) return Side::joined;
+  const bool ends = next.end != End::floor_to_top && next.end != End::through_horizon;
+  const int seen_to =
+      std::max(ends ? static_cast<int>(next.row) : 0, spans[static_cast<std::size_t>(outside)].top_row);
+  const int to_row = std::max(end.to_row, seen_to);
+  if (end.from_row - to_row < kSeenShare * height(end)) return Side::unknown;
+  int tallest = 0;
+  for (int i = 0; i < known; ++i) tallest = std::max(tallest, height(*before[i]));
+  const bool tall = height(end) >= kTallAtOnce * tallest ||
+                    (known > 1 && height(*before[1]) >= kTallAfterOne * tallest && tallest > 0);
+  if (!tall) return Side::slanting;
+  const int inside = column - step * (known > 1);
+  const int far = outside + step >= 0 && outside + step < count ? outside + step : outside;
+  const double change = std::max(scan.change_between(inside, outside, end.from_row, to_row),
+                                 scan.change_between(inside, far, end.from_row, to_row));
+  return change > kSideSeen ? Side::upright : Side::unknown;
+}
+
+enum class Kind { thing, flat, unsure };
+
+Kind kind_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
+             const std::vector<ColumnSpan>& spans, int column, const Crossing& crossing) {
+  int left = column;
+  int right = column;
+  Heights heights;
+  heights.add(crossing);
+  const Side a = side_of(scan, results, spans, column, -1, crossing, left, heights);
+  const Side b = side_of(scan, results, spans, column, 1, crossing, right, heights);
+  const int columns = right - left + 1;
+  const bool joined = a == Side::joined || b == Side::joined;
+  if (crossing.upright_m < kWorthIt_m) return Kind::unsure;
+  if (a == Side::slanting || b == Side::slanting)
+    return a == Side::upright || b == Side::upright || joined || columns < kRun ? Kind::unsure : Kind::flat;
+  if (crossing.patch && joined) return Kind::thing;
+  if (crossing.patch && columns < kNarrowest) return Kind::unsure;
+  if (a == Side::upright && b == Side::upright) return Kind::thing;
+  const bool doubtful = crossing.doubtful && !(a == b && heights.vary());
+  return doubtful || (crossing.patch && a != b) ? Kind::thing : Kind::unsure;
+}
+
+/// A narrow thing has two sides that go up from its foot; a speck, a vein of stone or a scratch has not.
+bool has_sides(const ColumnScan& scan, int left, int right, const ColumnResult& result) {
+  const int from = static_cast<int>(result.row) - 1;
+  const int to = std::max(0, from - kSpeckRows);
+  const auto side = [&](int inside, int outside, int farther) {
+    return std::max(scan.change_between(inside, outside, from, to),
+                    scan.change_between(inside, farther, from, to)) > kSideSeen;
+  };
+  return side(left, left - 1, left - 2) && side(right, right + 1, right + 2);
+}
+
+/// Narrow things that turn out to have no sides give way to what stands beside them.
+void drop_specks(const ColumnScan& scan, std::vector<ColumnResult>& results) {
+  constexpr double kJump_rows = 5;
+  const int count = static_cast<int>(results.size());
+  const auto at = [&](int column) -> ColumnResult& { return results[static_cast<std::size_t>(column)]; };
+  for (int width = 1; width <= kSpeckColumns; ++width) {
+    for (int left = 2; left + width + 1 < count; ++left) {
+      const int right = left + width - 1;
+      const ColumnResult& before = at(left - 1);
+      const ColumnResult& after = at(right + 1);
+      bool alone = true;
+      int nearest = left;
+      for (int c = left; c <= right; ++c) {
+        alone = alone && at(c).end == End::boundary && at(c).row > before.row + kJump_rows &&
+                at(c).row > after.row + kJump_rows;
+        if (at(c).row > at(nearest).row) nearest = c;
+      }
+      if (!alone || has_sides(scan, left, right, at(nearest))) continue;
+      const ColumnResult kept = before.row > after.row ? before : after;
+      for (int c = left; c <= right; ++c) at(c) = kept;
+    }
+  }
+}
+
+}  // namespace
+
+void stop_at_upright(const ColumnScan& scan, const std::vector<ColumnSpan>& spans,
+                     std::vector<ColumnResult>& results) {
+  // All are judged before any is changed: a column that ends hides its neighbour's side.
+  const int count = static_cast<int>(results.size());
+  for (int column = 0; column < count; ++column) {
+    ColumnResult& result = results[static_cast<std::size_t>(column)];
+    result.stop = -1;
+    for (int i = 0; i < result.crossing_count && result.stop < 0; ++i) {
+      Crossing& crossing = result.crossings[static_cast<std::size_t>(i)];
+      const Kind kind = kind_of(scan, results, spans, column, crossing);
+      crossing.flat = kind == Kind::flat;
+      if (kind == Kind::thing) result.stop = i;
+    }
+  }
+  for (int column = 0; column < count; ++column) {
+    ColumnResult& result = results[static_cast<std::size_t>(column)];
+    if (result.stop < 0) continue;
+    const int row = result.crossings[static_cast<std::size_t>(result.stop)].from_row;
+    result = scan.ends_at(column, row, spans[static_cast<std::size_t>(column)]);
+  }
+  drop_specks(scan, results);
+}
+
+}  // namespace mirada::vision
