@@ -20,9 +20,11 @@ constexpr int kSurfaceRows = 8;
 constexpr int kCrispRows = 4;
 constexpr double kRough = 4;            // Look units: a floor with a pattern
 constexpr double kPatternSeen_m = 1.0;  // farther away patterns blur
-constexpr double kSameColour = 0.08;    // by which the channels' factors may differ
-constexpr int kSameLight = 14;          // Look units: lit floor before and behind a shadow
-constexpr double kColourNoise = 1.5;    // of 255, of a mean
+constexpr double kSameColourCareful = 0.05;
+constexpr double kMostNoise = 0.1;
+constexpr double kSameColour = 0.08;  // by which the channels' factors may differ
+constexpr int kSameLight = 14;        // Look units: lit floor before and behind a shadow
+constexpr double kColourNoise = 1.5;  // of 255, of a mean
 constexpr double kSkirting_m = 0.13;
 constexpr int kMostJoints = 8;  // crossed on one shaded surface
 
@@ -46,12 +48,13 @@ const ColumnScan::Limits ColumnScan::kJoint{kWidestLine_m, 0.035, kFloorIsBack};
 const ColumnScan::Limits ColumnScan::kPatch{0.5, 0.075, 8};
 
 /// The same colour in another light: all three channels have changed by the same factor.
-bool ColumnScan::is_shade_of(const Eigen::Vector3d& floor_bgr, const Eigen::Vector3d& bgr) const {
+bool ColumnScan::is_shade_of(const Eigen::Vector3d& floor_bgr, const Eigen::Vector3d& bgr,
+                             bool careful) const {
+  if (!careful && is_dull_shade(floor_bgr, bgr)) return true;
   const Eigen::Array3d factor = bgr.array().max(1) / floor_bgr.array().max(1);
-  const double slack =
-      kSameColour +
-      std::min(0.1, kColourNoise / std::max(1.0, std::min(bgr.minCoeff(), floor_bgr.minCoeff())));
-  if (is_dull_shade(floor_bgr, bgr)) return true;
+  const double darkest = std::max(1.0, std::min(bgr.minCoeff(), floor_bgr.minCoeff()));
+  const double slack = careful ? kSameColourCareful + kColourNoise / darkest
+                               : kSameColour + std::min(kMostNoise, kColourNoise / darkest);
   return factor.maxCoeff() <= factor.minCoeff() * (1 + slack) && factor.maxCoeff() < kDeepestShade &&
          factor.minCoeff() > 1 / kDeepestShade;
 }
@@ -179,6 +182,7 @@ int ColumnScan::end_of_surface(int column, int row, int top, Surface surface) co
 /// on above the horizon, or shows its top in a third light.
 ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) {
   const Verdict obstacle{false, row};
+  const bool careful = is_careful_at(row);
   const int settled = end_of_ramp(column, row, top);
   if (settled - kSurfaceRows < top) return obstacle;
   const Look shade = mean_look(column, settled - kSurfaceRows + 1, settled);
@@ -186,7 +190,8 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) {
   const Look floor = foot > row + 3 ? mean_look(column, row + 2, foot) : floor_.look();
   const Eigen::Vector3d floor_bgr =
       foot > row + 3 ? mean_colour(column, row + 2, foot) : grid_.colour_of(floor);
-  if (!is_shade_of(floor_bgr, mean_colour(column, settled - kSurfaceRows + 1, settled))) return obstacle;
+  if (!is_shade_of(floor_bgr, mean_colour(column, settled - kSurfaceRows + 1, settled), careful))
+    return obstacle;
   Surface surface{.look = {}, .lighter = shade.light - floor.light};
   surface.look.start(shade);
   int end = end_of_surface(column, settled, top, surface);
@@ -204,7 +209,7 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) {
   const Look next = mean_look(column, beyond - kSurfaceRows + 1, beyond);
   const Eigen::Vector3d next_bgr = mean_colour(column, beyond - kSurfaceRows + 1, beyond);
   const bool as_lit = next.light >= floor.light - kSameLight && next.light <= brightest_ + kSameLight;
-  const bool lit_again = as_lit && is_shade_of(floor_bgr, next_bgr);
+  const bool lit_again = as_lit && is_shade_of(floor_bgr, next_bgr, careful);
   if (lit_again) floor_.start(next);
   if (lit_again || is_floor(next)) {
     cross(row, end, false, false);
@@ -215,8 +220,9 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) {
   const bool lighter = shade.light > std::max(floor.light, brightest_);
   const bool as_board = lighter && as_obstacle_m(row, end) < kSkirting_m;
   const bool crisp = row - settled < kCrispRows;
-  const bool doubtful = !is_as_rough_as_floor(column, settled, end + 1, !as_board && !crisp);
-  if (is_shade_of(floor_bgr, next_bgr)) {
+  const bool doubtful = !is_as_rough_as_floor(column, settled, end + 1, !as_board && (careful || !crisp));
+  if (careful && doubtful) return obstacle;
+  if (is_shade_of(floor_bgr, next_bgr, careful)) {
     surface.look.start(next);
     surface.lighter = next.light - floor_.look().light;
     const bool tall = end_of_surface(column, beyond, top, surface) < top;
@@ -233,12 +239,13 @@ ColumnScan::Verdict ColumnScan::judge(int column, int row, int top) {
     cross(row, back + kFloorIsBack, false, true);
     return {true, back};
   }
-  const int beyond = end_of_joint(column, row, top, nullptr, kPatch);
+  const int beyond = is_careful_at(row) ? -1 : end_of_joint(column, row, top, nullptr, kPatch);
   if (beyond >= 0) {
     const int end = beyond + kPatch.floor_rows;
     const bool smooth = !is_as_rough_as_floor(column, row - 1, end + 1, true);
-    cross(row, end, smooth,
-          !is_shade_of(mean_colour(column, row + 2, row + 8), mean_colour(column, end + 1, row - 1)));
+    const bool shade =
+        is_shade_of(mean_colour(column, row + 2, row + 8), mean_colour(column, end + 1, row - 1), false);
+    cross(row, end, smooth, !shade);
     return {true, beyond};
   }
   const Verdict shade = judge_shade(column, row, top);

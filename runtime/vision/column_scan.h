@@ -55,7 +55,12 @@ struct RowScale {
 
 struct ScanSettings {
   bool lines_are_obstacles = false;
+  /// The floor is known from earlier pictures and the robot may be driving: what stands near and could be a
+  /// thing is one. A picture that stands alone is judged by what is likelier.
+  bool careful = false;
 };
+
+constexpr double kCareful_m = 1.0;  ///< so near that doubt is dangerous
 
 /// Walks up one column from the look that the floor has at its foot, and finds where the floor ends. The look
 /// is followed as it drifts with the light; looks that `looks` knows are floor too. What interrupts it is
@@ -71,6 +76,10 @@ class ColumnScan {
   /// The answer for a column where the floor ends below `row`.
   ColumnResult ends_at(int column, int row, const ColumnSpan& span) const {
     return refined(column, row, span);
+  }
+  /// Whether what could be a thing at `row` has to be taken for one.
+  bool is_careful_at(int row) const {
+    return settings_.careful && scale_.depth_m[static_cast<std::size_t>(std::max(row, 0))] < kCareful_m;
   }
   /// How much of the rows shows a change from one column to another.
   double change_between(int column, int other, int from_row, int to_row) const;
@@ -93,7 +102,7 @@ class ColumnScan {
   bool is_on(const LookFollower& surface, int lighter, const Look& look) const {
     return surface.oddness(look, tolerance_) == 0 || is_known({look.light - lighter, look.red, look.blue});
   }
-  bool is_shade_of(const Eigen::Vector3d& floor_bgr, const Eigen::Vector3d& bgr) const;
+  bool is_shade_of(const Eigen::Vector3d& floor_bgr, const Eigen::Vector3d& bgr, bool careful) const;
   /// Means over rows of a column.
   Eigen::Vector3d mean_colour(int column, int from, int to) const;
   bool is_as_rough_as_floor(int column, int from, int to, bool unless_told) const;

@@ -14,6 +14,8 @@ namespace mirada::vision {
 class FloorMemory {
  public:
   void forget();
+  /// A floor has been learnt.
+  bool knows_floor() const { return trusted_; }
 
   /// Scans every column of a picture. False: this picture cannot be used or no floor is known that could be
   /// trusted; `results` mean nothing then.
@@ -41,6 +43,7 @@ class FloorMemory {
   FloorTexture texture_;
   Look home_;  ///< the look at the picture's foot, followed
   bool trusted_ = false;
+  int pictures_ = 0;        ///< since the floor was learnt
   bool can_learn_ = false;  ///< from the picture scanned last
   int pictures_since_fade_ = 0;
   int lost_pictures_ = 0;

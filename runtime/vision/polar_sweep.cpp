@@ -130,13 +130,16 @@ void Sweep::past_edge(const ColumnEnd& left, const ColumnEnd& right) {
   const ColumnEnd& farther = left_nearer ? right : left;
   const double share = left_nearer ? left.edge : 1 - left.edge;
   const Vector2d side = nearer.end_R_m + share * (beside(nearer, farther) - nearer.end_R_m);
-  const double side_rad = relative_rad(side);
-  const auto give = [&](const ColumnEnd& end) {
-    for_bearings(relative_rad(end.end_R_m), side_rad,
+  const auto give = [&](const ColumnEnd& end, const Vector2d& to) {
+    for_bearings(relative_rad(end.end_R_m), relative_rad(to),
                  [&](SonarReading& reading) { offer(reading, end.answer, end.end_R_m.norm(), end.sigma_m); });
   };
-  give(nearer);
-  give(farther);
+  give(nearer, side);
+  if (share >= 1) {
+    give(nearer, farther.end_R_m);
+  } else {
+    give(farther, side);
+  }
 }
 
 void Sweep::between(const ColumnEnd& left, const ColumnEnd& right) {

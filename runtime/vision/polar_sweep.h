@@ -15,7 +15,8 @@ struct ColumnEnd {
                                                        ///< otherwise any place in the column's direction
   double sigma_m = 0;
   double edge = 0.5;  ///< where, on the way to the next column, what this one found gives way to what that
-                      ///< one found, when they are two things: 0 here, 1 there
+                      ///< one found, when they are two things: 0 here, 1 there; when all the way is the
+                      ///< nearer one's, so is what only the robot's origin sees beside it
 };
 
 /// Two neighbouring ends that lie too far apart to be one thing.

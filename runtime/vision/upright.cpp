@@ -152,7 +152,9 @@ void drop_specks(const ColumnScan& scan, std::vector<ColumnResult>& results) {
                 at(c).row > after.row + kJump_rows;
         if (at(c).row > at(nearest).row) nearest = c;
       }
-      if (!alone || has_sides(scan, left, right, at(nearest))) continue;
+      if (!alone || scan.is_careful_at(static_cast<int>(at(nearest).row)) ||
+          has_sides(scan, left, right, at(nearest)))
+        continue;
       const ColumnResult kept = before.row > after.row ? before : after;
       for (int c = left; c <= right; ++c) at(c) = kept;
     }
