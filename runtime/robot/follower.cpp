@@ -74,6 +74,8 @@ MotionTicket Follower::begin(Mode mode, double distance_m, MotionOwner owner) {
   ticket_ = motion_->steered(std::move(owner));
   target_.reset();
   crumbs_.clear();
+  own_way_O_m_.clear();
+  range_scale_ = 1;
   state_ = FollowState::searching;
   glance_since_ = glance_settled_ = glanced_at_ = begun_at_ = 0;
   wants_to_drive_ = false;
@@ -158,6 +160,9 @@ void Follower::step(const Sight& sight, const memory::VisualMemory& memory) {
   // The neck was given to something else.
   if (watch_->keeping() != memory::Watching::nothing || watch_->looking_around()) return stop();
   if (begun_at_ == 0) begun_at_ = sight.now;
+  const Vector2d here(sight.X_OR.x_m, sight.X_OR.y_m);
+  if (own_way_O_m_.empty() || (own_way_O_m_.back() - here).norm() > kCrumb_m) own_way_O_m_.push_back(here);
+  if (own_way_O_m_.size() > kMostCrumbs) own_way_O_m_.pop_front();
   look_for_target(sight);
   state_ = state_at(sight.now);
   double bearing_rad = 0;
@@ -166,7 +171,7 @@ void Follower::step(const Sight& sight, const memory::VisualMemory& memory) {
     const Vector2d p = place_at(sight.now + micros(kLead_s));
     const Vector2d to(p.x() - sight.X_OR.x_m, p.y() - sight.X_OR.y_m);
     bearing_rad = wrap_rad(std::atan2(to.y(), to.x()) - sight.X_OR.heading_rad);
-    away_m = to.norm();
+    away_m = range_scale_ * to.norm();
     if (state_ != FollowState::searching && std::abs(bearing_rad) > rad(3))
       search_side_ = bearing_rad > 0 ? 1 : -1;
   }
@@ -185,7 +190,7 @@ bool Follower::glance(const Sight& sight, const memory::VisualMemory& memory) {
   if (glance_since_ == 0) {
     const Micros since = sight.now - glanced_at_;
     const bool due = since > kEvery || (since > kSoon && room_m(memory, 0) < kShort_m);
-    if (!due || !wants_to_drive_ || state_ == FollowState::searching) return false;
+    if (!due || !(wants_to_drive_ || since > 2 * kEvery) || state_ == FollowState::searching) return false;
     glance_since_ = sight.now;
     glance_settled_ = 0;
     gaze_->tilt_to(0);
@@ -197,7 +202,29 @@ bool Follower::glance(const Sight& sight, const memory::VisualMemory& memory) {
   if (!seen && sight.now - glance_since_ < 2 * kPatience) return true;
   glance_since_ = 0;
   glanced_at_ = sight.now;
+  if (seen) measure_range(sight, memory);
   return false;
+}
+
+/// The person's feet stand on the floor, where distance is measured better than by a face's size or by the
+/// width of clothes.
+void Follower::measure_range(const Sight& sight, const memory::VisualMemory& memory) {
+  constexpr double kBeside_rad = rad(14);
+  constexpr double kFeet_m = 0.12;  // from where they are seen to the person's middle
+  constexpr double kFarthest = 1.35, kNearest = 0.55;
+  constexpr double kTrust = 0.6;
+  if (!target_) return;
+  const Vector2d here(sight.X_OR.x_m, sight.X_OR.y_m);
+  const Vector2d to = place_at(glance_settled_) - here;
+  double feet_m = kFarthest * to.norm();
+  for (const memory::ObstaclePoint& point : memory.points().all()) {
+    if (point.seen_at < glance_settled_) continue;
+    const Vector2d at = point.p_O_m - here;
+    const double off = wrap_rad(std::atan2(at.y(), at.x()) - std::atan2(to.y(), to.x()));
+    if (std::abs(off) < kBeside_rad) feet_m = std::min(feet_m, at.norm() + kFeet_m);
+  }
+  const double scale = feet_m / std::max(to.norm(), 0.2);
+  if (scale > kNearest && scale < kFarthest) range_scale_ += kTrust * (scale - range_scale_);
 }
 
 void Follower::move_neck(const Sight& sight, double bearing_rad, double away_m,
@@ -260,6 +287,8 @@ WheelSpeeds Follower::wheels(const Sight& sight, double bearing_rad, double away
 }
 
 bool Follower::walked_on(const Vector2d& p_O_m) const {
+  for (const Vector2d& mine : own_way_O_m_)
+    if ((mine - p_O_m).squaredNorm() < kWalked_m * kWalked_m) return true;
   return std::any_of(crumbs_.begin(), crumbs_.end(), [&](const Crumb& crumb) {
     return (crumb.p_O_m - p_O_m).squaredNorm() < kWalked_m * kWalked_m;
   });

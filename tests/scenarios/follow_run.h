@@ -31,6 +31,6 @@ struct FollowRun {
 /// The room: a walker who begins a metre before the robot and walks a way by chance.
 world::WorldConfig follow_room(const Walk& walk, std::uint64_t seed);
 /// The first `settle_s` seconds do not count.
-FollowRun run_follow(const Walk& walk, std::uint64_t seed, double seconds, double settle_s = 3);
+FollowRun run_follow(const Walk& walk, std::uint64_t seed, double seconds, double settle_s = 6);
 
 }  // namespace mirada::scenarios
