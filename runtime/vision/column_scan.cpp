@@ -94,6 +94,20 @@ void ColumnScan::cross(int from_row, int to_row, bool doubtful, bool patch) {
       from_row, to_row, static_cast<float>(upright_m), doubtful, false, patch};
 }
 
+bool ColumnScan::goes_up_beside(int column, int other, int foot_row, int strip_rows, int rows) const {
+  if (strip_rows < 2 || foot_row - rows < 0) return false;
+  for (const int row : {foot_row - 1, foot_row - rows})
+    if (!grid_.sees(column, row) || !grid_.sees(other, row)) return false;
+  const Look strip = mean_look(column, foot_row - strip_rows + 1, foot_row - 1);
+  const auto alike = [&](const Look& look) {
+    return std::abs(look.light - strip.light) <= 2 * tolerance_.light &&
+           std::abs(look.red - strip.red) <= 2 * tolerance_.colour &&
+           std::abs(look.blue - strip.blue) <= 2 * tolerance_.colour;
+  };
+  return alike(mean_look(other, foot_row - strip_rows + 1, foot_row - 1)) &&
+         alike(mean_look(other, foot_row - rows, foot_row - strip_rows - 1));
+}
+
 double ColumnScan::change_between(int column, int other, int from_row, int to_row) const {
   int changed = 0;
   int rows = 0;

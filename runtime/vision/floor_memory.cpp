@@ -43,6 +43,16 @@ void close_gaps(std::vector<ColumnResult>& results) {
   }
 }
 
+/// Whether a row lies in something that was crossed and may yet stand on the floor. What is learnt is never
+/// an obstacle again, so this teaches nothing.
+bool in_doubt(const ColumnResult& result, int row) {
+  for (int k = 0; k < result.crossing_count; ++k) {
+    const ColumnResult::Crossing& c = result.crossings[static_cast<std::size_t>(k)];
+    if (!c.flat && row <= c.from_row + 1 && row >= c.to_row - 1) return true;
+  }
+  return false;
+}
+
 /// A picture whose floor goes on above the horizon, or that shows hardly any floor, teaches nothing.
 bool plausible(const std::vector<ColumnResult>& results) {
   using End = ColumnResult::End;
@@ -164,6 +174,7 @@ void FloorMemory::learn(const PictureGrid& grid, const std::vector<ColumnSpan>& 
     const int top = static_cast<int>(results[i].row) + 8;
     for (int row = spans[i].bottom_row - 4; row > top; row -= 12) {
       if (scale.depth_m[static_cast<std::size_t>(row)] > limit_m) break;
+      if (in_doubt(results[i], row)) continue;
       const Look look = grid.look(static_cast<int>(i), row);
       looks_.add(look, 4);
       const bool main = std::abs(look.light - home_.light) < 16 && std::abs(look.red - home_.red) < 10 &&

@@ -18,9 +18,11 @@ constexpr double kVaries = 0.12;
 constexpr double kSeenShare = 0.35;  // of the side
 constexpr double kSideSeen = 0.65;   // of the rows
 constexpr float kWorthIt_m = 0.025;  // lower things are passed over
+constexpr float kStrip_m = 0.012;    // of a wall, below a picture that hangs on it
 constexpr int kSpeckColumns = 4;
 constexpr int kSpeckRows = 14;
 constexpr double kSameFoot_rows = 4;
+constexpr int kTaller = 3;  // than the strip that is left of a wall below what hangs on it
 constexpr int kNarrowest = 3;  // columns of a patch that can be judged
 
 int height(const Crossing& c) { return c.from_row - c.to_row; }
@@ -43,7 +45,8 @@ enum class Side {
   upright,
   slanting,
   unknown,
-  joined  ///< the neighbouring column ends at its foot
+  joined,    ///< the neighbouring column ends at its foot
+  continued  ///< and what ends it there looks the same: a wall goes on behind the picture that hangs on it
 };
 
 /// How high what was crossed would be if it stood upright, over its columns: the same everywhere for a board
@@ -84,7 +87,15 @@ Side side_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
   if (outside < 0 || outside >= count) return Side::unknown;
   const ColumnResult& next = results[static_cast<std::size_t>(outside)];
   const Crossing& end = *before[0];
-  if (next.end == End::boundary && std::abs(next.row - end.from_row) < kSameFoot_rows) return Side::joined;
+  if (next.end == End::boundary && std::abs(next.row - end.from_row) < kSameFoot_rows) {
+    int strip = height(end);
+    for (int i = 0; i < known; ++i) strip = std::min(strip, height(*before[i]));
+    const auto goes_up = [&](int other) {
+      return other >= 0 && other < count &&
+             scan.goes_up_beside(column, other, end.from_row, strip, kTaller * strip);
+    };
+    return goes_up(outside) || goes_up(outside + step) ? Side::continued : Side::joined;
+  }
   const bool ends = next.end != End::floor_to_top && next.end != End::through_horizon;
   const int seen_to =
       std::max(ends ? static_cast<int>(next.row) : 0, spans[static_cast<std::size_t>(outside)].top_row);
@@ -113,7 +124,9 @@ Kind kind_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
   const Side a = side_of(scan, results, spans, column, -1, crossing, left, heights);
   const Side b = side_of(scan, results, spans, column, 1, crossing, right, heights);
   const int columns = right - left + 1;
-  const bool joined = a == Side::joined || b == Side::joined;
+  const bool continued = a == Side::continued || b == Side::continued;
+  if (continued && crossing.patch && crossing.upright_m > kStrip_m) return Kind::thing;
+  const bool joined = continued || a == Side::joined || b == Side::joined;
   if (crossing.upright_m < kWorthIt_m) return Kind::unsure;
   if (a == Side::slanting || b == Side::slanting)
     return a == Side::upright || b == Side::upright || joined || columns < kRun ? Kind::unsure : Kind::flat;

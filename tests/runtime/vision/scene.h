@@ -26,6 +26,7 @@ inline constexpr std::array<const char*, 4> kLightNames{"even", "dim", "lamp", "
 struct Box {
   double x_m, y_m, heading_rad, length_m, width_m, height_m;
   Eigen::Vector3d colour;
+  double from_z_m = 0;  ///< hangs as high as this
 };
 struct Post {
   double x_m, y_m, radius_m, height_m;
@@ -142,7 +143,7 @@ inline void hit_box(const Box& b, const Eigen::Vector3d& o, const Eigen::Vector3
     return Eigen::Vector3d(c * v.x() + s * v.y(), -s * v.x() + c * v.y(), v.z());
   };
   const Eigen::Vector3d from = local(o - Eigen::Vector3d(b.x_m, b.y_m, 0)), way = local(d);
-  const Eigen::Vector3d low(-b.length_m / 2, -b.width_m / 2, 0),
+  const Eigen::Vector3d low(-b.length_m / 2, -b.width_m / 2, b.from_z_m),
       high(b.length_m / 2, b.width_m / 2, b.height_m);
   double in = 0, out = 1e9;
   int face = 0;

@@ -178,6 +178,25 @@ TEST(VisualSonar, ACameraThatLooksUpSeesOnlyAboveTheHorizon) {
   EXPECT_TRUE(std::isnan(at(percept, 0).distance_m));
 }
 
+TEST(VisualSonar, ASheetInTheFloorsColourOnAWallIsNoWayThrough) {
+  Scene scene;
+  scene.floor_colour = {0.6, 0.6, 0.6};
+  scene.wall_colour = {0.06, 0.08, 0.2};
+  scene.room_x_m = 0.8;
+  scene.boxes.push_back(Box{0.798, 0, 0, 0.004, 0.19, 0.21, {0.6, 0.6, 0.6}, 0.02});
+  VisualSonar sonar(robot(), {});
+  for (std::uint64_t number = 1; number <= 3; ++number) {  // the floor unknown, then known
+    scene.seed = number;
+    const Frame frame{testing::render(scene, robot(), {}, {}), static_cast<Micros>(number), number};
+    const SonarPercept percept = sonar.look(frame, {}, {});
+    for (const int bearing_deg : {-4, 0, 4}) {
+      const SonarReading& reading = at(percept, bearing_deg);
+      EXPECT_EQ(reading.answer, Answer::blocked) << bearing_deg << " in picture " << number;
+      EXPECT_NEAR(reading.distance_m, 0.8 / std::cos(rad(bearing_deg)), 0.04) << bearing_deg;
+    }
+  }
+}
+
 TEST(VisualSonar, APaintedLineIsAnObstacleOnlyWhenAskedFor) {
   Scene scene;
   scene.floor = Floor::field;
