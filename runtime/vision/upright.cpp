@@ -19,10 +19,11 @@ constexpr double kSeenShare = 0.35;  // of the side
 constexpr double kSideSeen = 0.65;   // of the rows
 constexpr float kWorthIt_m = 0.025;  // lower things are passed over
 constexpr float kStrip_m = 0.012;    // of a wall, below a picture that hangs on it
+constexpr float kShadow_m = 0.04F;   // of a thing on the floor before it, as high as if it stood
 constexpr int kSpeckColumns = 4;
 constexpr int kSpeckRows = 14;
 constexpr double kSameFoot_rows = 4;
-constexpr int kTaller = 3;  // than the strip that is left of a wall below what hangs on it
+constexpr int kTaller = 3;     // than the strip that is left of a wall below what hangs on it
 constexpr int kNarrowest = 3;  // columns of a patch that can be judged
 
 int height(const Crossing& c) { return c.from_row - c.to_row; }
@@ -130,6 +131,11 @@ Kind kind_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
   if (crossing.upright_m < kWorthIt_m) return Kind::unsure;
   if (a == Side::slanting || b == Side::slanting)
     return a == Side::upright || b == Side::upright || joined || columns < kRun ? Kind::unsure : Kind::flat;
+  const ColumnResult& result = results[static_cast<std::size_t>(column)];
+  const bool shadow_at_foot =
+      !crossing.patch && result.end == End::boundary && std::abs(result.row - crossing.to_row) < 2;
+  if (shadow_at_foot && crossing.upright_m < kShadow_m && !scan.is_careful_at(crossing.from_row))
+    return Kind::unsure;
   if (crossing.patch && joined) return Kind::thing;
   if (crossing.patch && columns < kNarrowest) return Kind::unsure;
   if (a == Side::upright && b == Side::upright) return Kind::thing;
