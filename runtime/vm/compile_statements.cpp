@@ -160,7 +160,9 @@ void Compiler::for_each(const Block& block) {
   Label exit;
   build_->bind(check);
   build_->executed(1);
-  const Operand limit = number_input(block, "VALUE");
+  const Operand given = number_input(block, "VALUE");
+  build_->free(given);
+  const Operand limit = emit_to(Kind::number, type::number, Op::no_nan, given.reg);
   build_->free(limit);
   build_->jump(Op::jump_not_less, exit, index.reg, limit.reg);
   build_->emit(Op::add, index.reg, index.reg, number_constant(1));
