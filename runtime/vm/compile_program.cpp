@@ -81,6 +81,7 @@ void Compiler::place_variables(Code& code) {
     if (program_.variables[i].kind == VariableKind::scalar) place_scalar(code, i);
     if (program_.variables[i].kind == VariableKind::list) place_list(code, i);
   }
+  list_of_none_ = static_cast<std::int32_t>(code.lists.size());
 }
 
 void Compiler::place_scalar(Code& code, std::size_t i) {
@@ -164,7 +165,7 @@ void Compiler::write(const Place& place, const Operand& given) {
 
 std::int32_t Compiler::list_of(const Block& block) {
   const int list = types_.variable_of(block, "LIST");
-  return list < 0 ? 0 : list_places_[static_cast<std::size_t>(list)];
+  return list < 0 ? list_of_none_ : list_places_[static_cast<std::size_t>(list)];
 }
 
 bool Compiler::list_is_bare(const Block& block) const {

@@ -126,6 +126,7 @@ class Compiler {
   std::vector<bool> effects_;              ///< by block: its value may take turns or change variables
   std::vector<Place> places_;              ///< by variable of the program
   std::vector<std::int32_t> list_places_;  ///< by variable of the program
+  std::int32_t list_of_none_ = 0;          ///< for blocks that name no list; behind all others, shown nowhere
   std::unordered_map<std::string, std::int32_t> numbers_;
   std::unordered_map<std::string, std::int32_t> texts_;
 

@@ -22,8 +22,9 @@ std::string register_text(const Code& code, std::int32_t operand) {
 }
 
 std::string list_text(const Code& code, std::int32_t list) {
-  return list < 0 ? fmt::format("own list {}", ~list)
-                  : "[" + code.lists[static_cast<std::size_t>(list)].name + "]";
+  if (list < 0) return fmt::format("own list {}", ~list);
+  const auto i = static_cast<std::size_t>(list);
+  return i < code.lists.size() ? "[" + code.lists[i].name + "]" : "[no list]";
 }
 
 std::string operand_text(const Code& code, char kind, std::int32_t operand, std::size_t at) {

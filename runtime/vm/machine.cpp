@@ -27,6 +27,7 @@ Machine::Impl::Impl(std::shared_ptr<const Code> program, const BlockCatalog& blo
       list.add(initial_value(item));
     }
   }
+  lists.emplace_back();  // for blocks that name no list
   turn.machine = this;
   turn.lists = lists.data();
   turn.functions = code->functions.data();
