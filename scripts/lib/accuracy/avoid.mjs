@@ -22,7 +22,6 @@ ${rooms.map(room_row).join('\n')}
 
 - At most one run with a contact in each room: ${yes(verdict.at_most_one_in_each_room)}.
 - Every run at least 5 m long and through at least 25 squares: ${yes(verdict.every_run_5_m_and_25_cells)}.
-- Lockstep speed on one core, rendering and seeing included: ${verdict.times_real_time.toFixed(0)} times real time.
 
 | room | seed | contacts | way, m | squares | first contact |
 |---|---|---|---|---|---|
