@@ -94,7 +94,11 @@ void ColumnScan::cross(int from_row, int to_row, bool doubtful, bool patch) {
       from_row, to_row, static_cast<float>(upright_m), doubtful, false, patch};
 }
 
-bool ColumnScan::goes_up_beside(int column, int other, int foot_row, int strip_rows, int rows) const {
+bool ColumnScan::goes_up_beside(int column, int other, int foot_row, int strip_rows) const {
+  constexpr double kWall_m = 0.1;  // a painted line that runs away from the robot looks less high
+  constexpr int kTaller = 3;       // than the strip
+  int rows = kTaller * strip_rows;
+  while (rows < foot_row && as_obstacle_m(foot_row, foot_row - rows) < kWall_m) ++rows;
   if (strip_rows < 2 || foot_row - rows < 0) return false;
   for (const int row : {foot_row - 1, foot_row - rows})
     if (!grid_.sees(column, row) || !grid_.sees(other, row)) return false;

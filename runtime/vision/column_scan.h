@@ -83,8 +83,8 @@ class ColumnScan {
   }
   /// How much of the rows shows a change from one column to another.
   double change_between(int column, int other, int from_row, int to_row) const;
-  /// Whether what stands in `strip_rows` above `foot_row` goes on up in another column, `rows` high or more.
-  bool goes_up_beside(int column, int other, int foot_row, int strip_rows, int rows) const;
+  /// Whether what stands in `strip_rows` above `foot_row` goes on up in another column, as high as a wall.
+  bool goes_up_beside(int column, int other, int foot_row, int strip_rows) const;
   /// The floor's look at the column's foot as followed by the last run(), to start its neighbour with.
   const Look& foot() const { return foot_; }
 

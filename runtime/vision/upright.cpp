@@ -23,7 +23,6 @@ constexpr float kShadow_m = 0.04F;   // of a thing on the floor before it, as hi
 constexpr int kSpeckColumns = 4;
 constexpr int kSpeckRows = 14;
 constexpr double kSameFoot_rows = 4;
-constexpr int kTaller = 3;     // than the strip that is left of a wall below what hangs on it
 constexpr int kNarrowest = 3;  // columns of a patch that can be judged
 
 int height(const Crossing& c) { return c.from_row - c.to_row; }
@@ -92,8 +91,7 @@ Side side_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
     int strip = height(end);
     for (int i = 0; i < known; ++i) strip = std::min(strip, height(*before[i]));
     const auto goes_up = [&](int other) {
-      return other >= 0 && other < count &&
-             scan.goes_up_beside(column, other, end.from_row, strip, kTaller * strip);
+      return other >= 0 && other < count && scan.goes_up_beside(column, other, end.from_row, strip);
     };
     return goes_up(outside) || goes_up(outside + step) ? Side::continued : Side::joined;
   }
