@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals';
 import * as Blockly from 'blockly/core';
 import type { ComponentChildren, VNode } from 'preact';
-import { useEffect, useRef } from 'preact/hooks';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { t } from '../messages';
 
 /** The one dialog that is open, or null. */
@@ -36,7 +36,8 @@ export function Dialog({ title, wide, firm, onClose, children }: Props) {
     closeDialog();
     onClose?.();
   };
-  useEffect(() => {
+  // Not after the next paint: whoever types at once types into the dialog.
+  useLayoutEffect(() => {
     const element = ref.current!;
     const release = holdFocus(element);
     element.showModal();
