@@ -46,6 +46,7 @@ bool is_dull_shade(const Eigen::Vector3d& floor_bgr, const Eigen::Vector3d& bgr)
 
 const ColumnScan::Limits ColumnScan::kJoint{kWidestLine_m, 0.035, kFloorIsBack};
 const ColumnScan::Limits ColumnScan::kPatch{0.5, 0.075, 8};
+const ColumnScan::Limits ColumnScan::kTile{0.9, 0.14, 8};
 
 /// The same colour in another light: all three channels have changed by the same factor.
 bool ColumnScan::is_shade_of(const Eigen::Vector3d& floor_bgr, const Eigen::Vector3d& bgr,
@@ -239,7 +240,8 @@ ColumnScan::Verdict ColumnScan::judge(int column, int row, int top) {
     cross(row, back + kFloorIsBack, false, true);
     return {true, back};
   }
-  const int beyond = is_careful_at(row) ? -1 : end_of_joint(column, row, top, nullptr, kPatch);
+  const bool careful = is_careful_at(row);
+  const int beyond = careful ? -1 : end_of_joint(column, row, top, nullptr, kPatch);
   if (beyond >= 0) {
     const int end = beyond + kPatch.floor_rows;
     const bool smooth = !is_as_rough_as_floor(column, row - 1, end + 1, true);
@@ -250,7 +252,12 @@ ColumnScan::Verdict ColumnScan::judge(int column, int row, int top) {
   }
   const Verdict shade = judge_shade(column, row, top);
   if (shade.floor_goes_on || shade.row != row) return shade;
-  return judge_line(column, row, top);
+  const Verdict line = judge_line(column, row, top);
+  if (line.floor_goes_on || line.row != row || careful) return line;
+  const int tile = end_of_joint(column, row, top, nullptr, kTile);
+  if (tile < 0) return line;
+  cross(row, tile + kTile.floor_rows, true, true, true);
+  return {true, tile};
 }
 
 }  // namespace mirada::vision

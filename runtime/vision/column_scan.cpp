@@ -14,6 +14,7 @@ constexpr int kFootRows = 12;
 
 void ColumnScan::prepare(const FloorTexture& texture, const Look& home, const ScanSettings& settings) {
   home_light_ = home.light;
+  is_colourful_ = has_colour(home);
   settings_ = settings;
   texture_ = texture;
   tolerance_.light = std::clamp(static_cast<int>(std::lround(3.2 * texture.light_sigma)), 5, 24);
@@ -64,7 +65,7 @@ ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& sta
     }
     if (row >= span.bottom_row - kFootRows && evidence == 0) foot_ = floor_.look();
     if (evidence < kWalkAlarm) continue;
-    const Verdict verdict = judge(column, first_odd, top);
+    const Verdict verdict = judge(column, begin_of_odd(column, first_odd, row), top);
     if (!verdict.floor_goes_on) return with_crossings(refined(column, verdict.row, span));
     row = verdict.row;
     evidence = 0;
@@ -73,6 +74,19 @@ ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& sta
     return with_crossings(from_above(column, span, top));
   return with_crossings({.end = ColumnResult::End::floor_to_top,
                          .row = (span.horizon_row < 0 ? span.top_row - 1 : span.horizon_row) + 0.5});
+}
+
+/// The first row of what raised the alarm at `row`: a speck below it, with floor between, is not its own.
+int ColumnScan::begin_of_odd(int column, int first_odd, int row) const {
+  constexpr int kFloorBetween = 4;
+  int begin = row;
+  int floor_rows = 0;
+  for (int r = row; r <= first_odd && floor_rows < kFloorBetween; ++r) {
+    const bool floor = is_floor(grid_.look(column, r));
+    floor_rows = floor ? floor_rows + 1 : 0;
+    if (!floor) begin = r;
+  }
+  return begin;
 }
 
 ColumnResult ColumnScan::with_crossings(ColumnResult result) const {
@@ -86,12 +100,12 @@ double ColumnScan::as_obstacle_m(int from_row, int to_row) const {
                                     scale_.depth_m[static_cast<std::size_t>(std::max(to_row, 0))]);
 }
 
-void ColumnScan::cross(int from_row, int to_row, bool doubtful, bool patch) {
+void ColumnScan::cross(int from_row, int to_row, bool doubtful, bool patch, bool large) {
   constexpr double kWorthIt_m = 0.006;
   const double upright_m = as_obstacle_m(from_row, to_row);
   if (crossed_.crossing_count == ColumnResult::kMostCrossings || upright_m < kWorthIt_m) return;
   crossed_.crossings[static_cast<std::size_t>(crossed_.crossing_count++)] = {
-      from_row, to_row, static_cast<float>(upright_m), doubtful, false, patch};
+      from_row, to_row, static_cast<float>(upright_m), doubtful, false, patch, large};
 }
 
 bool ColumnScan::goes_up_beside(int column, int other, int foot_row, int strip_rows) const {
@@ -110,6 +124,18 @@ bool ColumnScan::goes_up_beside(int column, int other, int foot_row, int strip_r
   };
   return alike(mean_look(other, foot_row - strip_rows + 1, foot_row - 1)) &&
          alike(mean_look(other, foot_row - rows, foot_row - strip_rows - 1));
+}
+
+bool ColumnScan::lies_between(int column, int one, int other, int from_row, int to_row) const {
+  const Look a = mean_look(one, to_row, from_row);
+  const Look b = mean_look(other, to_row, from_row);
+  const Look look = mean_look(column, to_row, from_row);
+  const auto between = [](int x, int p, int q, int slack) {
+    return x >= std::min(p, q) - slack && x <= std::max(p, q) + slack;
+  };
+  return between(look.light, a.light, b.light, tolerance_.light) &&
+         between(look.red, a.red, b.red, tolerance_.colour) &&
+         between(look.blue, a.blue, b.blue, tolerance_.colour);
 }
 
 double ColumnScan::change_between(int column, int other, int from_row, int to_row) const {

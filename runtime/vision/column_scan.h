@@ -27,6 +27,7 @@ struct ColumnResult {
     bool doubtful = false;  ///< by itself it looks like a thing
     bool flat = false;      ///< it lies on the floor, say its sides
     bool patch = false;     ///< not the floor's own colour in another light
+    bool large = false;     ///< too large to be passed unless it clearly lies flat
   };
   static constexpr int kMostCrossings = 6;
 
@@ -81,8 +82,14 @@ class ColumnScan {
   bool is_careful_at(int row) const {
     return settings_.careful && scale_.depth_m[static_cast<std::size_t>(std::max(row, 0))] < kCareful_m;
   }
+  /// The floor has a colour: what looks like it beyond something is hardly anything else. Grey is
+  /// everything's colour in some light.
+  bool is_colourful() const { return is_colourful_; }
+  int columns() const { return grid_.columns(); }
   /// How much of the rows shows a change from one column to another.
   double change_between(int column, int other, int from_row, int to_row) const;
+  /// Whether the rows of a column look like a mixture of the same rows of two others.
+  bool lies_between(int column, int one, int other, int from_row, int to_row) const;
   /// Whether what stands in `strip_rows` above `foot_row` goes on up in another column, as high as a wall.
   bool goes_up_beside(int column, int other, int foot_row, int strip_rows) const;
   /// The floor's look at the column's foot as followed by the last run(), to start its neighbour with.
@@ -109,6 +116,7 @@ class ColumnScan {
   Eigen::Vector3d mean_colour(int column, int from, int to) const;
   bool is_as_rough_as_floor(int column, int from, int to, bool unless_told) const;
   Look mean_look(int column, int from, int to) const;
+  int begin_of_odd(int column, int first_odd, int row) const;
   Verdict judge(int column, int row, int top);
   struct Surface {
     LookFollower look;
@@ -119,10 +127,10 @@ class ColumnScan {
     double obstacle_m;  ///< less than so high if it stood upright
     int floor_rows;     ///< of floor beyond it
   };
-  static const Limits kJoint, kPatch;
+  static const Limits kJoint, kPatch, kTile;
   int end_of_joint(int column, int row, int top, const Surface* surface, const Limits& limits) const;
   double as_obstacle_m(int from_row, int to_row) const;
-  void cross(int from_row, int to_row, bool doubtful, bool patch);
+  void cross(int from_row, int to_row, bool doubtful, bool patch, bool large = false);
   Verdict judge_line(int column, int row, int top);
   Verdict judge_shade(int column, int row, int top);
   int end_of_surface(int column, int row, int top, Surface surface) const;
@@ -143,6 +151,7 @@ class ColumnScan {
   FloorTexture texture_;
   Tolerance tolerance_;
   LookFollower floor_;
+  bool is_colourful_ = false;
   int home_light_ = 0;
   int brightest_ = 0;  ///< of the floor in this column so far
   ColumnResult crossed_;

@@ -53,6 +53,13 @@ bool in_doubt(const ColumnResult& result, int row) {
   return false;
 }
 
+/// Nearly nowhere does the picture begin with floor.
+bool is_blind(const std::vector<ColumnResult>& results) {
+  std::size_t blind = 0;
+  for (const ColumnResult& result : results) blind += result.end == ColumnResult::End::not_floor_below;
+  return blind * 10 >= results.size() * 9;
+}
+
 /// A picture whose floor goes on above the horizon, or that shows hardly any floor, teaches nothing.
 bool plausible(const std::vector<ColumnResult>& results) {
   using End = ColumnResult::End;
@@ -90,14 +97,14 @@ bool FloorMemory::is_frozen(const PictureGrid& grid, const Place& place) {
 }
 
 void FloorMemory::scan_columns(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
-                               ColumnScan& scan, std::vector<ColumnResult>& results) const {
+                               const Look& home, ColumnScan& scan, std::vector<ColumnResult>& results) const {
   const int middle = grid.columns() / 2;
   const auto run = [&](int column, const Look& start) {
     const auto i = static_cast<std::size_t>(column);
     results[i] = scan.run(column, spans[i], start);
     return scan.foot();
   };
-  const Look foot = run(middle, home_);
+  const Look foot = run(middle, home);
   Look start = foot;
   for (int column = middle - 1; column >= 0; --column) start = run(column, start);
   start = foot;
@@ -125,12 +132,20 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
   }
   ColumnScan column_scan(grid, looks_, scale);
   column_scan.prepare(texture_, home_, settings);
-  scan_columns(grid, spans, column_scan, results);
+  scan_columns(grid, spans, home_, column_scan, results);
   if (first) {
     // What this picture alone shows of a floor's other colours.
-    if (learn_patches(grid, results)) scan_columns(grid, spans, column_scan, results);
+    if (learn_patches(grid, results)) scan_columns(grid, spans, home_, column_scan, results);
     trusted_ = plausible(results);
     return trusted_;
+  }
+  if (shows_floor && is_blind(results) && is_in_other_light()) {
+    blind_results_ = results;
+    scan_columns(grid, spans, study_.main_look(), column_scan, results);
+    if (plausible(results))
+      home_ = study_.main_look();
+    else
+      results = blind_results_;
   }
   if (is_lost(grid, spans, results, place)) {
     forget();
@@ -187,16 +202,23 @@ void FloorMemory::learn(const PictureGrid& grid, const std::vector<ColumnSpan>& 
   if (count > 0) home_ = {sum.light / count, sum.red / count, sum.blue / count};
 }
 
+/// What lies before the robot has the floor's colour in another light. Grey is everything's colour in some
+/// light: that is no sign.
+bool FloorMemory::is_in_other_light() const {
+  constexpr int kSameColour = 8;
+  const Look& main = study_.main_look();
+  return has_colour(home_) && std::abs(main.red - home_.red) <= kSameColour &&
+         std::abs(main.blue - home_.blue) <= kSameColour;
+}
+
 /// The floor that was learnt is nowhere to be seen, although the robot has looked round: it stands on another
 /// floor, or the light has changed. One that is still seen anywhere is not lost: then something stands in the
 /// way.
 bool FloorMemory::is_lost(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
                           const std::vector<ColumnResult>& results, const Place& place) {
-  std::size_t blind = 0;
-  for (const ColumnResult& result : results) blind += result.end == ColumnResult::End::not_floor_below;
   int known = 0;
   int seen = 0;
-  if (blind * 10 >= results.size() * 9) {
+  if (is_blind(results)) {
     for (std::size_t i = 1; i < spans.size(); i += 4) {
       for (int row = spans[i].bottom_row; row > spans[i].horizon_row; row -= 8) {
         known += looks_.knows(grid.look(static_cast<int>(i), row));

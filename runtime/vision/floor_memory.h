@@ -32,9 +32,10 @@ class FloorMemory {
     NeckAngles neck;
   };
   bool is_frozen(const PictureGrid& grid, const Place& place);
-  void scan_columns(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, ColumnScan& scan,
-                    std::vector<ColumnResult>& results) const;
+  void scan_columns(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const Look& home,
+                    ColumnScan& scan, std::vector<ColumnResult>& results) const;
   bool learn_patches(const PictureGrid& grid, const std::vector<ColumnResult>& results);
+  bool is_in_other_light() const;
   bool is_lost(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
                const std::vector<ColumnResult>& results, const Place& place);
 
@@ -43,11 +44,11 @@ class FloorMemory {
   FloorTexture texture_;
   Look home_;  ///< the look at the picture's foot, followed
   bool trusted_ = false;
-  int pictures_ = 0;        ///< since the floor was learnt
   bool can_learn_ = false;  ///< from the picture scanned last
   int pictures_since_fade_ = 0;
   int lost_pictures_ = 0;
   Place lost_since_;
+  std::vector<ColumnResult> blind_results_;
   std::uint64_t fingerprint_ = 0;
   std::optional<Place> last_place_;
 };

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <vector>
 
@@ -18,6 +19,13 @@ struct Look {
   int red = 128;
   int blue = 128;
 };
+
+/// Clearly not grey.
+inline bool has_colour(const Look& look) {
+  constexpr int kGrey = 128;
+  constexpr int kColourful = 12;
+  return std::abs(look.red - kGrey) + std::abs(look.blue - kGrey) >= kColourful;
+}
 
 /// A picture seen as a fan of lines that stand upright in the room, each one bearing from the lens, and about
 /// 240 rows, whatever the picture's size: what stands on a line hides just what lies farther along it. Each

@@ -12,6 +12,7 @@ using End = ColumnResult::End;
 constexpr int kRun = 6;                // columns from a side inwards that tell how tall it is there
 constexpr double kTallAtOnce = 0.45;   // of the tallest in the run, in the outermost column
 constexpr double kTallAfterOne = 0.6;  // in the one beside it
+constexpr double kRound = 0.6;         // a large ball's sides rise more slowly
 constexpr double kOverlap = 0.4;
 constexpr double kAlike = 0.35;  // a side that falls off faster is upright
 constexpr double kVaries = 0.12;
@@ -23,6 +24,8 @@ constexpr float kShadow_m = 0.04F;   // of a thing on the floor before it, as hi
 constexpr int kSpeckColumns = 4;
 constexpr int kSpeckRows = 14;
 constexpr double kSameFoot_rows = 4;
+constexpr int kBeyondRows = 6;
+constexpr int kFewOf = 3;      // one column in so many that was not crossed says nothing
 constexpr int kNarrowest = 3;  // columns of a patch that can be judged
 
 int height(const Crossing& c) { return c.from_row - c.to_row; }
@@ -65,6 +68,18 @@ struct Heights {
   }
 };
 
+/// How many columns from `start` on by `step` end one beside the other.
+int columns_at_foot(const std::vector<ColumnResult>& results, int start, int step) {
+  const int count = static_cast<int>(results.size());
+  int columns = 1;
+  for (int c = start + step; c >= 0 && c < count; c += step, ++columns) {
+    const ColumnResult& next = results[static_cast<std::size_t>(c)];
+    const ColumnResult& before = results[static_cast<std::size_t>(c - step)];
+    if (next.end != End::boundary || std::abs(next.row - before.row) >= kSameFoot_rows) break;
+  }
+  return columns;
+}
+
 /// Walks from `start` by `step` columns as far as the crossed thing goes; says what its side is like.
 Side side_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
              const std::vector<ColumnSpan>& spans, int start, int step, const Crossing& crossing, int& last,
@@ -93,7 +108,14 @@ Side side_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
     const auto goes_up = [&](int other) {
       return other >= 0 && other < count && scan.goes_up_beside(column, other, end.from_row, strip);
     };
-    return goes_up(outside) || goes_up(outside + step) ? Side::continued : Side::joined;
+    if (goes_up(outside) || goes_up(outside + step)) return Side::continued;
+    const bool trusts = !scan.is_careful_at(end.from_row) || scan.is_colourful();
+    // Cut off by the picture's side, it could not show the floor beyond.
+    if (spans[static_cast<std::size_t>(outside)].top_row + kBeyondRows > end.to_row && trusts)
+      return Side::unknown;
+    const int crossed = heights.count;
+    const bool few = trusts && columns_at_foot(results, outside, step) * kFewOf <= crossed;
+    return few ? Side::unknown : Side::joined;
   }
   const bool ends = next.end != End::floor_to_top && next.end != End::through_horizon;
   const int seen_to =
@@ -102,8 +124,9 @@ Side side_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
   if (end.from_row - to_row < kSeenShare * height(end)) return Side::unknown;
   int tallest = 0;
   for (int i = 0; i < known; ++i) tallest = std::max(tallest, height(*before[i]));
-  const bool tall = height(end) >= kTallAtOnce * tallest ||
-                    (known > 1 && height(*before[1]) >= kTallAfterOne * tallest && tallest > 0);
+  const double round = end.large ? kRound : 1;
+  const bool tall = height(end) >= round * kTallAtOnce * tallest ||
+                    (known > 1 && height(*before[1]) >= round * kTallAfterOne * tallest && tallest > 0);
   if (!tall) return Side::slanting;
   const int inside = column - step * (known > 1);
   const int far = outside + step >= 0 && outside + step < count ? outside + step : outside;
@@ -114,8 +137,8 @@ Side side_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
 
 enum class Kind { thing, flat, unsure };
 
-Kind kind_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
-             const std::vector<ColumnSpan>& spans, int column, const Crossing& crossing) {
+Kind kind_of_patch(const ColumnScan& scan, const std::vector<ColumnResult>& results,
+                   const std::vector<ColumnSpan>& spans, int column, const Crossing& crossing) {
   int left = column;
   int right = column;
   Heights heights;
@@ -126,6 +149,9 @@ Kind kind_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
   const bool continued = a == Side::continued || b == Side::continued;
   if (continued && crossing.patch && crossing.upright_m > kStrip_m) return Kind::thing;
   const bool joined = continued || a == Side::joined || b == Side::joined;
+  const bool slants = a == Side::slanting || b == Side::slanting;
+  const bool stands = a == Side::upright || b == Side::upright || continued;
+  if (crossing.large && !stands && columns >= 2 * kRun && slants && heights.vary()) return Kind::flat;
   if (crossing.upright_m < kWorthIt_m) return Kind::unsure;
   if (a == Side::slanting || b == Side::slanting)
     return a == Side::upright || b == Side::upright || joined || columns < kRun ? Kind::unsure : Kind::flat;
@@ -137,10 +163,17 @@ Kind kind_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
   if (crossing.patch && joined) return Kind::thing;
   if (crossing.patch && columns < kNarrowest) return Kind::unsure;
   if (a == Side::upright && b == Side::upright) return Kind::thing;
+  const bool one = (a == Side::upright && b == Side::unknown) || (b == Side::upright && a == Side::unknown);
+  if (one && columns >= kRun && !heights.vary()) return Kind::thing;
   const bool doubtful = crossing.doubtful && !(a == b && heights.vary());
   return doubtful || (crossing.patch && a != b) ? Kind::thing : Kind::unsure;
 }
 
+Kind kind_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
+             const std::vector<ColumnSpan>& spans, int column, const Crossing& crossing) {
+  const Kind kind = kind_of_patch(scan, results, spans, column, crossing);
+  return crossing.large && kind != Kind::flat ? Kind::thing : kind;
+}
 /// A narrow thing has two sides that go up from its foot; a speck, a vein of stone or a scratch has not.
 bool has_sides(const ColumnScan& scan, int left, int right, const ColumnResult& result) {
   const int from = static_cast<int>(result.row) - 1;
@@ -149,30 +182,61 @@ bool has_sides(const ColumnScan& scan, int left, int right, const ColumnResult& 
     return std::max(scan.change_between(inside, outside, from, to),
                     scan.change_between(inside, farther, from, to)) > kSideSeen;
   };
-  return side(left, left - 1, left - 2) && side(right, right + 1, right + 2);
+  // The picture's side hides a side.
+  return (left < 2 || side(left, left - 1, left - 2)) &&
+         (right + 2 >= scan.columns() || side(right, right + 1, right + 2));
+}
+
+bool ends_low(const ColumnResult& result) {
+  return result.end == End::boundary || result.end == End::not_floor_below;
+}
+
+/// Whether columns left..right end nearer than what is beside them by so much that it is another thing. At
+/// the picture's side one neighbour is enough.
+bool stands_out(const std::vector<ColumnResult>& results, int left, int right) {
+  constexpr double kJump_rows = 5;
+  const int count = static_cast<int>(results.size());
+  const auto at = [&](int column) -> const ColumnResult& {
+    return results[static_cast<std::size_t>(column)];
+  };
+  for (int c = left; c <= right; ++c) {
+    if (!ends_low(at(c))) return false;
+    for (const int next : {left - 1, right + 1}) {
+      if (next < 0 || next >= count) continue;
+      if (at(next).end == End::nothing || at(c).row <= at(next).row + kJump_rows) return false;
+    }
+  }
+  return true;
+}
+
+/// Whether all columns look like a mixture of what is beside them: the rim of a shade or a tile.
+bool is_blend(const ColumnScan& scan, int left, int right, const ColumnResult& result) {
+  const int from = static_cast<int>(result.row);
+  const bool below = result.end == End::not_floor_below;
+  if (!below || left == 0 || right + 1 >= scan.columns()) return false;
+  for (int c = left; c <= right; ++c)
+    if (!scan.lies_between(c, left - 1, right + 1, from, std::max(0, from - kSpeckRows))) return false;
+  return true;
 }
 
 /// Narrow things that turn out to have no sides give way to what stands beside them.
 void drop_specks(const ColumnScan& scan, std::vector<ColumnResult>& results) {
-  constexpr double kJump_rows = 5;
   const int count = static_cast<int>(results.size());
   const auto at = [&](int column) -> ColumnResult& { return results[static_cast<std::size_t>(column)]; };
   for (int width = 1; width <= kSpeckColumns; ++width) {
-    for (int left = 2; left + width + 1 < count; ++left) {
+    for (int left = 0; left + width <= count; ++left) {
       const int right = left + width - 1;
-      const ColumnResult& before = at(left - 1);
-      const ColumnResult& after = at(right + 1);
-      bool alone = true;
+      if (!stands_out(results, left, right)) continue;
       int nearest = left;
-      for (int c = left; c <= right; ++c) {
-        alone = alone && at(c).end == End::boundary && at(c).row > before.row + kJump_rows &&
-                at(c).row > after.row + kJump_rows;
+      for (int c = left; c <= right; ++c)
         if (at(c).row > at(nearest).row) nearest = c;
-      }
-      if (!alone || scan.is_careful_at(static_cast<int>(at(nearest).row)) ||
-          has_sides(scan, left, right, at(nearest)))
+      if (scan.is_careful_at(static_cast<int>(at(nearest).row)) ||
+          (has_sides(scan, left, right, at(nearest)) && !is_blend(scan, left, right, at(nearest))))
         continue;
-      const ColumnResult kept = before.row > after.row ? before : after;
+      const ColumnResult& beside = right + 1 >= count || (left > 0 && at(left - 1).row > at(right + 1).row)
+                                       ? at(left - 1)
+                                       : at(right + 1);
+      const ColumnResult kept = beside;
       for (int c = left; c <= right; ++c) at(c) = kept;
     }
   }

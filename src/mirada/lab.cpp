@@ -23,6 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kBadInput = 2;
+constexpr std::size_t kWorstPictures = 12;
 
 struct LabOptions {
   std::vector<std::string> floors = {"carpet", "wood", "tiles", "concrete", "grass"};
@@ -89,11 +90,12 @@ void print_table(const rig::LabTable& table) {
 
 /// Prints the tables, after the plot was drawn; the exit code.
 int report(const std::vector<rig::LabSample>& samples, const LabOptions& options) {
-  const auto tables = rig::score_tables(samples);
+  auto tables = rig::score_tables(samples);
   if (!options.plot.empty()) {
     const Status drawn = write_file_atomically(options.plot, rig::svg_plot(tables));
     if (!drawn) return refuse(drawn.faults(), options);
   }
+  tables.push_back(rig::worst_pictures(samples, kWorstPictures));
   if (options.json) {
     Json out = {{"mount", options.mount_errors ? "by_chance" : "exact"}, {"tables", Json::array()}};
     for (const rig::LabTable& table : tables) {

@@ -85,6 +85,7 @@ void look_at_room(const Room& room, std::uint64_t seed, const std::function<void
       frame.t_exposure += 500 * kMillisecond;
       LabShot shot{name + "-" + std::to_string(frame.number), name, frame.bgr, neck, {}};
       score_percept(room, X_WR, neck, sonar.look(frame, neck, X_WR), shot.samples);
+      for (LabSample& sample : shot.samples) sample.picture = shot.name;
       if (on_shot) on_shot(shot);
       out.insert(out.end(), shot.samples.begin(), shot.samples.end());
     }

@@ -93,6 +93,7 @@ void score_picture(const KnownPicture& picture, const RobotConfig& robot, const 
   for (const KnownBearing& known : picture.bearings) {
     const SonarReading* reading = nearest_reading(seen, known.bearing_rad);
     LabSample sample;
+    sample.picture = picture.image.filename().string();
     sample.floor = picture.floor;
     sample.light = picture.light;
     sample.off_axis_rad = known.bearing_rad - picture.neck.pan_rad;

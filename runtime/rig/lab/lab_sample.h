@@ -10,6 +10,7 @@ namespace mirada::rig {
 /// One bearing of one picture: what is true and what vision said. Distances from the robot's origin along the
 /// floor.
 struct LabSample {
+  std::string picture;  ///< its name
   std::string floor;
   std::string light;
   double off_axis_rad = 0;  ///< bearing minus pan

@@ -124,4 +124,16 @@ std::vector<LabTable> score_tables(const std::vector<LabSample>& samples, const 
           table("light", samples, limits, [](const LabSample& s) { return s.light; })};
 }
 
+LabTable worst_pictures(const std::vector<LabSample>& samples, std::size_t most, const LabLimits& limits) {
+  LabTable out = table("worst pictures", samples, limits, [](const LabSample& s) { return s.picture; });
+  const auto wrong = [](const LabScore& s) {
+    return (std::isnan(s.missed) ? 0 : s.missed * s.obstacles) +
+           (std::isnan(s.imagined) ? 0 : s.imagined * (s.obstacles + s.free));
+  };
+  std::erase_if(out.rows, [&](const LabScore& s) { return wrong(s) == 0; });
+  std::ranges::stable_sort(out.rows, std::greater<>(), wrong);
+  if (out.rows.size() > most) out.rows.resize(most);
+  return out;
+}
+
 }  // namespace mirada::rig

@@ -38,4 +38,8 @@ struct LabTable {
 /// By distance, bearing, floor and light; the first table holds the score of all.
 std::vector<LabTable> score_tables(const std::vector<LabSample>& samples, const LabLimits& limits = {});
 
+/// The `most` pictures with the most bearings missed or imagined, worst first; fewer when fewer have any.
+LabTable worst_pictures(const std::vector<LabSample>& samples, std::size_t most,
+                        const LabLimits& limits = {});
+
 }  // namespace mirada::rig

@@ -5,7 +5,7 @@ const percent = (share) => (share === null ? '-' : (100 * share).toFixed(1));
 const row = (r) =>
   `| ${r.name} | ${r.errors} | ${percent(r.median_error)} | ${percent(r.p90_error)} | ${percent(r.bias_to_1m)} | ` +
   `${percent(r.missed)} | ${percent(r.imagined)} | ${percent(r.not_seen)} | ${percent(r.within_95)} | ` +
-  `${percent(r.paper_median)} | ${percent(r.paper_bias)} |`;
+  `${percent(r.paper_median_error)} | ${percent(r.paper_bias)} |`;
 const head = (title) =>
   `| ${title} | answers | median | p90 | bias to 1 m | missed | imagined | not seen | in 95 % | paper's median | paper's bias |
 |---|---|---|---|---|---|---|---|---|---|---|`;

@@ -75,6 +75,24 @@ LabSample sample_of(double truth_m, Answer answer, double said_m, double sigma_m
   return out;
 }
 
+TEST(LabScore, TheWorstPicturesComeFirst) {
+  std::vector<LabSample> samples;
+  const auto add = [&](const char* picture, Answer answer, double said_m, int times) {
+    for (int i = 0; i < times; ++i) {
+      samples.push_back(sample_of(1.0, answer, said_m));
+      samples.back().picture = picture;
+    }
+  };
+  add("good", Answer::blocked, 1.0, 9);
+  add("one missed", Answer::clear, 2.0, 1);
+  add("three imagined", Answer::blocked, 0.5, 3);
+  const LabTable worst = worst_pictures(samples, 5);
+  ASSERT_EQ(worst.rows.size(), 2u);
+  EXPECT_EQ(worst.rows[0].name, "three imagined");
+  EXPECT_EQ(worst.rows[1].name, "one missed");
+  EXPECT_EQ(worst_pictures(samples, 1).rows.size(), 1u);
+}
+
 TEST(LabScore, CountsWhatItsColumnsSay) {
   const std::vector<LabSample> samples = {
       sample_of(1.0, Answer::blocked, 1.01),  // 1 %, inside 1.96 sigma
@@ -221,6 +239,19 @@ TEST_F(LabFolder, EveryFaultOfTruthJsonComesAtOnce) {
   ASSERT_FALSE(samples);
   EXPECT_THAT(to_text(samples.faults(), Lang::en), HasSubstr("I don't know the robot nobody"));
   EXPECT_THAT(to_text(samples.faults(), Lang::en), HasSubstr("There is no file"));
+}
+
+// A room that the robot first sees in a shade: its lit planks are the same floor.
+TEST(LabDistances, AFloorLearntInTheShadeIsKnownInTheSun) {
+  LabPlan plan;
+  plan.floors = {world::FloorKind::wood};
+  plan.lights = {LabLight::side};
+  plan.seeds = 1;
+  plan.first_seed = 5000;
+  plan.robot = lab_robot();
+  const LabScore all = score_tables(look_at_rooms(plan)).front().rows.front();
+  EXPECT_LT(all.imagined, 0.5);
+  EXPECT_LT(all.missed, 0.01);
 }
 
 TEST(LabDistances, ScoresEveryDegreeOfARoomAndIsDeterministic) {

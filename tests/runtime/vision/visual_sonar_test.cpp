@@ -210,6 +210,31 @@ TEST(VisualSonar, APaintedLineIsAnObstacleOnlyWhenAskedFor) {
   EXPECT_NEAR(at(look_once(bgr, {}, settings), 0).distance_m, 0.675, 0.03);
 }
 
+TEST(VisualSonar, ALargePatchThatLiesFlatIsFloor) {
+  Scene scene;
+  scene.floor_colour = {0.5, 0.5, 0.45};
+  scene.wall_colour = {0.7, 0.6, 0.4};
+  scene.room_x_m = scene.room_y_m = 2.2;
+  scene.boxes.push_back(Box{0.62, 0, rad(45), 0.35, 0.35, 0.0005, {0.5, 0.2, 0.1}});
+  EXPECT_GT(at(look_once(testing::render(scene, robot(), {}, {})), 0).distance_m, 1.5);
+}
+
+TEST(VisualSonar, AFieldLineCutOffByThePictureIsNoObstacleWhileDriving) {
+  Scene scene;
+  scene.floor = Floor::field;
+  scene.floor_colour = {0.06, 0.22, 0.05};
+  scene.wall_colour = {0.3, 0.2, 0.6};
+  VisualSonar sonar(robot());
+  for (std::uint64_t number = 1; number <= 3; ++number) {
+    const Pose2 X_WR{-0.9 + 0.2 * static_cast<double>(number), 1.2, rad(20)};
+    scene.seed = number;
+    const Frame frame{testing::render(scene, robot(), X_WR, {}), static_cast<Micros>(number), number};
+    const SonarPercept percept = sonar.look(frame, {}, X_WR);
+    for (const int bearing_deg : {-15, 0, 15})
+      EXPECT_GT(at(percept, bearing_deg).distance_m, 1.0) << bearing_deg << " in picture " << number;
+  }
+}
+
 TEST(VisualSonar, ThePapersMethodFindsItsGreenBorder) {
   Scene scene = room_with_box(0.8, 0);
   scene.boxes[0].colour = {0.05, 0.4, 0.1};
