@@ -18,8 +18,8 @@ namespace mirada::vision {
 namespace {
 
 /// Fitted to the errors of pictures that nothing was tuned on: a foot is round, dirty or in its own shade.
-constexpr double kFit = 1.5;
-constexpr double kFoot_m = 0.003;
+constexpr double kFit = 2;
+constexpr double kFoot_m = 0.004;
 
 bool same_aspect(const cv::Mat& bgr, const CameraModel& camera) {
   const double wanted = static_cast<double>(camera.width_px) / camera.height_px;
