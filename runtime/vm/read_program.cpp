@@ -1,5 +1,6 @@
 #include <array>
 #include <memory>
+#include <optional>
 
 #include <zip.h>
 
@@ -22,21 +23,32 @@ ReadProgram too_large() {
   return broken(messages::archive_too_large, {{"limit_mib", std::to_string(kMaxProject >> 20)}});
 }
 
+/// How many folders project.json lies in by this name, "." being no folder; none when the name says something
+/// else or tries to lead elsewhere.
+std::optional<std::size_t> folders_above_project(std::string_view name) {
+  if (name.find('\\') != std::string_view::npos) return std::nullopt;
+  std::size_t folders = 0;
+  for (std::size_t slash = name.find('/'); slash != std::string_view::npos; slash = name.find('/')) {
+    const std::string_view folder = name.substr(0, slash);
+    name.remove_prefix(slash + 1);
+    if (folder == ".") continue;
+    if (folder.empty() || folder[0] == '.') return std::nullopt;
+    ++folders;
+  }
+  return name == "project.json" ? std::optional(folders) : std::nullopt;
+}
+
 /// project.json, at the top or (as Scratch allows) in a folder; nothing else is looked at.
 zip_int64_t find_project(zip_t* archive) {
-  const zip_int64_t top = zip_name_locate(archive, "project.json", 0);
-  if (top >= 0) return top;
-  constexpr std::string_view kName = "/project.json";
+  zip_int64_t in_folder = -1;
   const zip_int64_t count = zip_get_num_entries(archive, 0);
   for (zip_int64_t i = 0; i < count; ++i) {
-    const char* raw = zip_get_name(archive, static_cast<zip_uint64_t>(i), 0);
-    const std::string_view name(raw ? raw : "");
-    if (!name.ends_with(kName)) continue;
-    const std::string_view folder = name.substr(0, name.size() - kName.size());
-    if (!folder.empty() && folder.find_first_of("/\\") == std::string_view::npos && folder[0] != '.')
-      return i;
+    const char* name = zip_get_name(archive, static_cast<zip_uint64_t>(i), 0);
+    const std::optional<std::size_t> folders = folders_above_project(name ? name : "");
+    if (folders == 0U) return i;
+    if (folders == 1U && in_folder < 0) in_folder = i;
   }
-  return -1;
+  return in_folder;
 }
 
 /// Scratch 2 kept the stage as the outermost object, with its name first or near it.

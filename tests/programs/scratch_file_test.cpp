@@ -70,11 +70,27 @@ TEST(ScratchFile, TheProjectMayLieInOneFolder) {
   EXPECT_EQ(run.list("L"), "x");
 }
 
+TEST(ScratchFile, ADotInAPathIsTheSamePlace) {
+  for (const char* name :
+       {"./project.json", "././project.json", "./My game/project.json", "My game/./project.json"}) {
+    Running run(std::string_view(archive({{name, small()}})));
+    run.finish();
+    EXPECT_EQ(run.list("L"), "x") << name;
+  }
+  const std::string other = project(flag("a", "b") + add("b", R"([1,[10,"folder"]])"));
+  Running run(std::string_view(archive({{"old/project.json", other}, {"./project.json", small()}})));
+  run.finish();
+  EXPECT_EQ(run.list("L"), "x");
+}
+
 TEST(ScratchFile, OtherArchivesAreRefusedInWords) {
   EXPECT_EQ(refusal(archive({{"readme.txt", "x"}})), Codes{"archive_without_project"});
   EXPECT_EQ(refusal(archive({{"../project.json", small()}})), Codes{"archive_without_project"});
-  EXPECT_EQ(refusal(archive({{"/project.json", small()}})), Codes{"archive_without_project"});
-  EXPECT_EQ(refusal(archive({{"a/b/project.json", small()}})), Codes{"archive_without_project"});
+  for (const char* trick :
+       {"/project.json", ".//project.json", "./../project.json", "a/../project.json", "..\\project.json",
+        "a\\b/project.json", ".git/project.json", "a/b/project.json"}) {
+    EXPECT_EQ(refusal(archive({{trick, small()}})), Codes{"archive_without_project"}) << trick;
+  }
   EXPECT_EQ(refusal(archive({{"sprite.json", "{}"}})), Codes{"only_a_sprite"});
   EXPECT_EQ(refusal(archive({{"project.json", R"({"objName":"Stage","children":[]})"}})),
             Codes{"old_scratch"});
