@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
 #include "base/files.h"
@@ -84,7 +85,8 @@ void run_case(const Json& json) {
   if (!loaded.ok()) return;
   Running run(json["program"]);
   for (const auto& key : json.value("keys", Json::array())) run.machine->key(key, true);
-  run.finish(json.value("seconds", 30.0), json.value("ticks", "back to back") != "world");
+  EXPECT_TRUE(run.finish(json.value("seconds", 30.0), json.value("ticks", "back to back") != "world"))
+      << "the program still runs after " << Running::kMostTicks << " ticks and never waits";
   std::vector<std::pair<std::string, std::string>> faults;
   for (const BlockFault& fault : run.machine->take_faults()) {
     faults.emplace_back(fault.block, std::string(fault.fault.code()));
@@ -105,6 +107,14 @@ TEST_P(Case, DoesWhatItClaims) {
   SCOPED_TRACE(json["claim"].get<std::string>());
   ASSERT_TRUE(json.contains("expect"));
   run_case(json);
+}
+
+/// {"program": forever {}, ...}: fails, but ends.
+Json endless_case() {
+  return {{"program", program({hat({block("control_forever")})}, {})}, {"expect", Json::object()}};
+}
+TEST(CaseRunner, AProgramThatNeverEndsFailsItsCaseInWords) {
+  EXPECT_NONFATAL_FAILURE(run_case(endless_case()), "the program still runs after 20000 ticks");
 }
 
 std::string name_of(const testing::TestParamInfo<fs::path>& info) {

@@ -103,9 +103,10 @@ Running::Running(std::string_view program_text, Limits limits, const BlockCatalo
   machine->flag();
 }
 
-void Running::finish(double seconds, bool back_to_back) {
+bool Running::finish(double seconds, bool back_to_back) {
   const Micros end = host.clock.now() + micros(seconds);
-  while (machine->any_script_alive() && host.clock.now() < end) {
+  for (int ticks = 0; machine->any_script_alive() && host.clock.now() < end; ++ticks) {
+    if (ticks == kMostTicks) return false;
     machine->tick(back_to_back);
     const Micros wake = machine->next_wake();
     if (wake == INT64_MAX) break;
@@ -115,6 +116,7 @@ void Running::finish(double seconds, bool back_to_back) {
       host.clock.advance(20 * kMillisecond);
     }
   }
+  return true;
 }
 
 std::string Running::list(const std::string& name) const {

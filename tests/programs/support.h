@@ -46,8 +46,10 @@ struct Running {
   explicit Running(const Json& json, Limits limits = {}, const BlockCatalog& catalog = core_catalog())
       : Running(std::string_view(json.dump()), limits, catalog) {}
   explicit Running(std::string_view text, Limits limits = {}, const BlockCatalog& catalog = core_catalog());
-  /// Ticks until nothing lives any more or `seconds` of program time are over.
-  void finish(double seconds = 60, bool back_to_back = true);
+  /// Ticks until nothing lives any more or `seconds` of program time are over. Back to back a program that
+  /// never waits takes no time: false when it still runs after kMostTicks.
+  bool finish(double seconds = 60, bool back_to_back = true);
+  static constexpr int kMostTicks = 20'000;
   double value(const std::string& variable) const { return machine->variables().at(variable).number; }
   std::string list(const std::string& name) const;  ///< joined by spaces
 
