@@ -51,7 +51,13 @@ std::string message_key(std::string_view name) {
 }
 
 Compiler::Compiler(const Program& program, const std::vector<bool>& runs, CodeTables& tables)
-    : program_(program), types_(program, runs), tables_(tables), effects_(find_effects(program)) {}
+    : program_(program), types_(program, runs), tables_(tables), effects_(find_effects(program)) {
+  for (std::size_t i = 0; i < program_.blocks.size(); ++i) {
+    if (program_.blocks[i].opcode != "data_scriptvariable") continue;
+    const auto index = static_cast<BlockIndex>(i);
+    script_variables_[types_.top_of(index)].push_back(index);
+  }
+}
 
 std::int32_t Compiler::number_constant(double number) {
   const std::string key(reinterpret_cast<const char*>(&number), sizeof number);
@@ -176,9 +182,10 @@ bool Compiler::list_is_bare(const Block& block) const {
 /// Variables that a script declares as its own live in its frame.
 void Compiler::declare_locals(BlockIndex top) {
   locals_.clear();
-  for (std::size_t i = 0; i < program_.blocks.size(); ++i) {
-    const Block& block = program_.blocks[i];
-    if (block.opcode != "data_scriptvariable" || types_.top_of(static_cast<BlockIndex>(i)) != top) continue;
+  const auto declared = script_variables_.find(top);
+  if (declared == script_variables_.end()) return;
+  for (const BlockIndex index : declared->second) {
+    const Block& block = program_.at(index);
     const int variable = types_.variable_of(block, "VARIABLE");
     if (variable < 0 || locals_.contains(variable) ||
         program_.variables[static_cast<std::size_t>(variable)].kind != VariableKind::scalar) {

@@ -130,6 +130,8 @@ class Compiler {
   std::unordered_map<std::string, std::int32_t> numbers_;
   std::unordered_map<std::string, std::int32_t> texts_;
 
+  std::unordered_map<BlockIndex, std::vector<BlockIndex>> script_variables_;  ///< by top: what declares them
+
   // The function being compiled.
   FunctionBuilder* build_ = nullptr;
   int definition_ = -1;

@@ -1,15 +1,11 @@
 // The blocks of one target of a Scratch project.
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
 #include "vm/messages.h"
 #include "vm/sb3_reader.h"
 
 namespace mirada::vm {
 namespace {
-
-using Json = nlohmann::json;
 
 /// What the first number of a compressed socket says (Scratch's sb3 format); 4 to 10 are literals.
 constexpr double kMessagePrimitive = 11;
@@ -19,22 +15,43 @@ constexpr double kFirstPrimitive = 4;
 
 bool is_literal_opcode(const std::string& opcode) { return opcode == "text" || opcode.starts_with("math_"); }
 
+/// JavaScript goes through keys that are whole numbers first, from the smallest.
+bool is_index(std::string_view key) {
+  if (key.empty() || key.size() > 9 || (key[0] == '0' && key.size() > 1)) return false;
+  return std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+std::vector<std::string> in_order_of_javascript(JsonValue object) {
+  std::vector<std::string> keys;
+  std::unordered_set<std::string_view> seen;
+  for (const JsonValue field : object) {
+    if (seen.insert(field.key()).second) keys.emplace_back(field.key());
+  }
+  const auto middle = std::stable_partition(keys.begin(), keys.end(), is_index);
+  std::sort(keys.begin(), middle,
+            [](const std::string& a, const std::string& b) { return std::stol(a) < std::stol(b); });
+  return keys;
+}
+
 }  // namespace
 
+/// Scripts start in the order in which the file lists their heads.
 void ProjectReader::read_scripts(const Target& target) {
   path_ = target.path + "/blocks";
-  const Json* blocks = object_field(*target.json, "blocks", target.path);
-  if (!blocks) return;
+  const JsonValue blocks = object_field(target.json, "blocks", target.path);
   blocks_.clear();
   reached_.clear();
-  for (const auto& [id, json] : blocks->items()) {
+  for (const JsonValue json : blocks) {
     // A list is a variable or list reporter that lies about by itself.
-    if (!json.is_object() && !json.is_array()) wrong(path_ + "/" + id, "{opcode, ...}", json);
-    if (json.is_object()) blocks_.emplace(id, &json);
+    if (json.is_object()) {
+      blocks_.insert_or_assign(json.key(), json);
+    } else if (!json.is_array()) {
+      wrong(path_ + "/" + std::string(json.key()), "{opcode, ...}", json);
+    }
   }
-  for (const std::string& id : *target.block_order) {
+  for (const std::string& id : in_order_of_javascript(blocks)) {
     const auto it = blocks_.find(id);
-    if (it == blocks_.end() || !truth_at(*it->second, "topLevel")) continue;
+    if (it == blocks_.end() || !it->second.find("topLevel").truth()) continue;
     const BlockIndex index = add_block(id, kNone, kNone);
     if (index != kNone) program_.tops.push_back(index);
     for (std::size_t next = 0; next < tasks_.size(); ++next) fill(Task(tasks_[next]));
@@ -54,25 +71,25 @@ BlockIndex ProjectReader::add_block(const std::string& id, BlockIndex parent, Bl
     warning(parent == kNone ? id : program_.at(parent).id, messages::block_cycle, {{"id", id}});
     return kNone;
   }
-  const Json& json = *it->second;
+  const JsonValue json = it->second;
   const std::string path = path_ + "/" + id;
-  const Json* opcode = find_field(json, "opcode");
-  if (!opcode || !opcode->is_string()) wrong(path + "/opcode", "text", opcode ? *opcode : Json());
+  const JsonValue opcode = json.find("opcode");
+  if (!opcode.is_text()) wrong(path + "/opcode", "text", opcode);
   const auto index = static_cast<BlockIndex>(program_.blocks.size());
   Block& block = program_.blocks.emplace_back();
   block.id = id;
   while (program_.by_id.contains(block.id)) block.id += "@" + std::to_string(sprite_);
-  block.opcode = text_at(json, "opcode");
+  block.opcode = plain_text(opcode);
   block.parent = parent;
   block.enclosing = enclosing;
   block.sprite = sprite_;
-  block.is_shadow = truth_at(json, "shadow");
+  block.is_shadow = json.find("shadow").truth();
   program_.by_id.emplace(block.id, index);
-  tasks_.push_back({&json, index, path});
+  tasks_.push_back({json, index, path});
   return index;
 }
 
-BlockIndex ProjectReader::add_literal(const Json& value, BlockIndex parent) {
+BlockIndex ProjectReader::add_literal(JsonValue value, BlockIndex parent) {
   const auto index = static_cast<BlockIndex>(program_.blocks.size());
   Block& block = program_.blocks.emplace_back();
   block.id = program_.at(parent).id + "/" + std::to_string(index);
@@ -85,11 +102,11 @@ BlockIndex ProjectReader::add_literal(const Json& value, BlockIndex parent) {
   return index;
 }
 
-BlockIndex ProjectReader::add_named(const char* opcode, const char* field, const Json& primitive,
+BlockIndex ProjectReader::add_named(const char* opcode, const char* field, JsonValue primitive,
                                     VariableKind kind, BlockIndex parent) {
   const std::string name = plain_text(primitive[1]);
   const std::string id = primitive.size() > 2 ? plain_text(primitive[2]) : "";
-  const BlockIndex index = add_literal(Json(), parent);
+  const BlockIndex index = add_literal(JsonValue(), parent);
   Block& block = program_.at(index);
   block.opcode = opcode;
   block.is_shadow = false;
@@ -99,11 +116,11 @@ BlockIndex ProjectReader::add_named(const char* opcode, const char* field, const
 }
 
 /// What stands in a socket: nothing, a block's id, or a compressed literal, variable, list or message.
-BlockIndex ProjectReader::add_content(const Json& content, BlockIndex parent, const std::string& path) {
+BlockIndex ProjectReader::add_content(JsonValue content, BlockIndex parent, const std::string& path) {
   if (content.is_null()) return kNone;
-  if (content.is_string()) return add_block(content.get<std::string>(), parent, parent);
+  if (content.is_text()) return add_block(plain_text(content), parent, parent);
   const bool primitive = content.is_array() && content.size() >= 2 && content[0].is_number();
-  const double kind = primitive ? content[0].get<double>() : 0;
+  const double kind = primitive ? content[0].number() : 0;
   if (!(kind >= kFirstPrimitive && kind <= kListPrimitive) || content[1].is_structured()) {
     wrong(path, "id | [4..13, value]", content);
     return kNone;
@@ -145,18 +162,17 @@ void ProjectReader::settle(Block& block) {
 }
 
 void ProjectReader::read_next(const Task& task) {
-  const Json* next = find_field(*task.json, "next");
-  if (!next || next->is_null()) return;
-  if (!next->is_string()) return wrong(task.path + "/next", "id", *next);
-  const BlockIndex follower =
-      add_block(next->get<std::string>(), task.index, program_.at(task.index).enclosing);
+  const JsonValue next = task.json.find("next");
+  if (next.is_null()) return;
+  if (!next.is_text()) return wrong(task.path + "/next", "id", next);
+  const BlockIndex follower = add_block(plain_text(next), task.index, program_.at(task.index).enclosing);
   program_.at(task.index).next = follower;
 }
 
 void ProjectReader::read_fields(const Task& task) {
-  const Json* fields = object_field(*task.json, "fields", task.path);
-  if (!fields) return;
-  for (const auto& [name, value] : fields->items()) {
+  const JsonValue fields = object_field(task.json, "fields", task.path);
+  for (const JsonValue value : fields.fields()) {
+    const std::string name(value.key());
     if (!value.is_array() || value.empty() || value[0].is_structured()) {
       wrong(task.path + "/fields/" + name, "[value, id]", value);
       continue;
@@ -170,9 +186,9 @@ void ProjectReader::read_fields(const Task& task) {
 }
 
 void ProjectReader::read_inputs(const Task& task) {
-  const Json* inputs = object_field(*task.json, "inputs", task.path);
-  if (!inputs) return;
-  for (const auto& [name, value] : inputs->items()) {
+  const JsonValue inputs = object_field(task.json, "inputs", task.path);
+  for (const JsonValue value : inputs.fields()) {
+    const std::string name(value.key());
     if (value.is_array()) {
       read_input(task, name, value);
     } else {
@@ -183,11 +199,11 @@ void ProjectReader::read_inputs(const Task& task) {
 
 /// [1, shadow], [2, block] or [3, block, the shadow beneath]. Some writers have 1 where 2 is meant, so what
 /// counts is whether the block says that it is a shadow.
-void ProjectReader::read_input(const Task& task, const std::string& name, const Json& value) {
+void ProjectReader::read_input(const Task& task, const std::string& name, JsonValue value) {
   const std::string path = task.path + "/inputs/" + name;
-  const Json nothing;
-  const Json& content = value.size() > 1 ? value[1] : nothing;
-  const bool message = content.is_array() && content.size() > 1 && content[0] == kMessagePrimitive;
+  const JsonValue content = value[1];
+  const bool message = content.is_array() && content.size() > 1 && content[0].is_number() &&
+                       content[0].number() == kMessagePrimitive;
   if (name == "BROADCAST_INPUT" && message) {
     program_.at(task.index).fields.push_back({.name = name, .value = plain_text(content[1])});
     return;
@@ -201,36 +217,35 @@ void ProjectReader::read_input(const Task& task, const std::string& name, const 
 }
 
 /// A list that Scratch keeps as text within the JSON.
-std::vector<std::string> ProjectReader::text_list(const Json& mutation, const char* name,
+std::vector<std::string> ProjectReader::text_list(JsonValue mutation, const char* name,
                                                   const std::string& place) {
   std::vector<std::string> out;
-  const Json* kept = find_field(mutation, name);
+  const JsonValue kept = mutation.find(name);
   if (!kept) return out;
-  const Json parsed = kept->is_string() ? Json::parse(plain_text(*kept), nullptr, false) : *kept;
-  if (!parsed.is_array()) {
-    wrong(place + "/mutation/" + name, "\"[text, ...]\"", *kept);
+  const JsonTree within = JsonTree::parse(kept.is_text() ? kept.text() : "null");
+  const JsonValue list = within.broken() ? JsonValue() : kept.is_text() ? within.root() : kept;
+  if (!list.is_array()) {
+    wrong(place + "/mutation/" + name, "\"[text, ...]\"", kept);
     return out;
   }
-  for (const Json& item : parsed) out.push_back(plain_text(item));
+  for (const JsonValue item : list) out.push_back(plain_text(item));
   return out;
 }
 
 /// The head of a my-block is a block of its own, under the definition's socket.
 void ProjectReader::read_definition(const Task& task) {
-  const Json* inputs = find_field(*task.json, "inputs");
-  const Json* head = inputs ? find_field(*inputs, "custom_block") : nullptr;
-  const bool named = head && head->is_array() && head->size() > 1 && (*head)[1].is_string();
-  const auto it = named ? blocks_.find((*head)[1].get<std::string>()) : blocks_.end();
-  const Json* mutation = it == blocks_.end() ? nullptr : find_field(*it->second, "mutation");
-  if (!mutation || !mutation->is_object()) {
+  const JsonValue head = task.json.find("inputs").find("custom_block")[1];
+  const auto it = head.is_text() ? blocks_.find(head.text()) : blocks_.end();
+  const JsonValue mutation = it == blocks_.end() ? JsonValue() : it->second.find("mutation");
+  if (!mutation.is_object()) {
     return warning(program_.at(task.index).id, messages::signature_missing);
   }
   Signature signature;
-  signature.id = signature.name = text_at(*mutation, "proccode");
-  signature.warp = text_at(*mutation, "warp") == "true";
-  const std::vector<std::string> ids = text_list(*mutation, "argumentids", task.path);
-  const std::vector<std::string> names = text_list(*mutation, "argumentnames", task.path);
-  const std::vector<std::string> defaults = text_list(*mutation, "argumentdefaults", task.path);
+  signature.id = signature.name = plain_text(mutation.find("proccode"));
+  signature.warp = plain_text(mutation.find("warp")) == "true";
+  const std::vector<std::string> ids = text_list(mutation, "argumentids", task.path);
+  const std::vector<std::string> names = text_list(mutation, "argumentnames", task.path);
+  const std::vector<std::string> defaults = text_list(mutation, "argumentdefaults", task.path);
   for (std::size_t i = 0; i < std::min(ids.size(), names.size()); ++i) {
     signature.params.push_back({ids[i], names[i], ParamType::raw, i < defaults.size() ? defaults[i] : ""});
   }
@@ -239,12 +254,12 @@ void ProjectReader::read_definition(const Task& task) {
 }
 
 void ProjectReader::read_call(const Task& task) {
-  const Json* mutation = find_field(*task.json, "mutation");
-  if (!mutation || !mutation->is_object()) {
+  const JsonValue mutation = task.json.find("mutation");
+  if (!mutation.is_object()) {
     return warning(program_.at(task.index).id, messages::signature_missing);
   }
   Signature signature;
-  signature.id = signature.name = text_at(*mutation, "proccode");
+  signature.id = signature.name = plain_text(mutation.find("proccode"));
   program_.at(task.index).signature = static_cast<std::int32_t>(program_.signatures.size());
   program_.signatures.push_back(std::move(signature));
 }

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include <nlohmann/json.hpp>
-
 #include "vm/literal.h"
 #include "vm/messages.h"
 #include "vm/scratch_blocks.h"
@@ -14,18 +12,16 @@
 namespace mirada::vm {
 namespace {
 
-using Json = nlohmann::json;
-
-Field initial_value(const Json& value) {
+Field initial_value(JsonValue value) {
   Field field{.name = {}, .value = plain_text(value), .id = {}};
   field.is_number = value.is_number();
-  field.is_truth = value.is_boolean();
+  field.is_truth = value.is_truth();
   return field;
 }
 
-double layer_of(const Json& target) {
-  const Json* order = find_field(target, "layerOrder");
-  return order && order->is_number() ? order->get<double>() : 0.0;
+double layer_of(JsonValue target) {
+  const JsonValue order = target.find("layerOrder");
+  return order.is_number() ? order.number() : 0.0;
 }
 
 }  // namespace
@@ -38,26 +34,25 @@ void ProjectReader::warning(std::string place, const Message& message, MessageAr
   out_.faults.push_back(make_fault(std::move(place), message, std::move(args), Severity::warning));
 }
 
-void ProjectReader::wrong(const std::string& place, const char* expected, const Json& value) {
+void ProjectReader::wrong(const std::string& place, const char* expected, JsonValue value) {
   error(place, messages::wrong_shape,
         {{"field", place}, {"expected", expected}, {"value", shown_json(value)}});
 }
 
-const Json* ProjectReader::object_field(const Json& json, const char* name, const std::string& path) {
-  const Json* value = find_field(json, name);
-  if (!value || value->is_object()) return value;
+JsonValue ProjectReader::object_field(JsonValue json, const char* name, const std::string& path) {
+  const JsonValue value = json.find(name);
+  if (value.is_object()) return value;
   // Scratch's own files have an empty list where nothing is.
-  if (value->is_null() || (value->is_array() && value->empty())) return nullptr;
-  wrong(path + "/" + name, "{...}", *value);
-  return nullptr;
+  if (!value.is_null() && !(value.is_array() && value.empty())) wrong(path + "/" + name, "{...}", value);
+  return {};
 }
 
-void ProjectReader::read(const ProjectJson& project) {
+void ProjectReader::read(JsonValue project) {
   program_.from_scratch = true;
   program_.scratch_blocks = scratch_blocks();
-  const Json* targets = find_field(*project.root, "targets");
-  if (!targets || !targets->is_array()) return error("/targets", messages::no_targets);
-  const std::vector<Target> ordered = order_targets(*targets, project);
+  const JsonValue targets = project.find("targets");
+  if (!targets.is_array()) return error("/targets", messages::no_targets);
+  const std::vector<Target> ordered = order_targets(targets);
   for (std::size_t i = 0; i < ordered.size(); ++i) {
     sprite_ = static_cast<std::int32_t>(i);
     read_variables(ordered[i]);
@@ -72,30 +67,26 @@ void ProjectReader::read(const ProjectJson& project) {
 
 /// The stage, then the sprites from the lowest layer. A project without a stage gets an empty one, so that
 /// sprite 0 is everybody's in any case.
-std::vector<ProjectReader::Target> ProjectReader::order_targets(const Json& targets,
-                                                                const ProjectJson& project) {
-  static const Json kNothing = Json::object();
-  static const std::vector<std::string> kNoBlocks;
-  std::vector<Target> out{{&kNothing, &kNoBlocks, "/targets"}};
+std::vector<ProjectReader::Target> ProjectReader::order_targets(JsonValue targets) {
+  std::vector<Target> out{{JsonValue(), "/targets"}};
   bool stage_found = false;
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    const std::string path = "/targets/" + std::to_string(i);
-    if (!targets[i].is_object()) {
-      wrong(path, "{...}", targets[i]);
+  std::size_t number = 0;
+  for (const JsonValue json : targets) {
+    const Target target{json, "/targets/" + std::to_string(number++)};
+    if (!json.is_object()) {
+      wrong(target.path, "{...}", json);
       continue;
     }
-    const bool has_order = i < project.block_order.size();
-    const Target target{&targets[i], has_order ? &project.block_order[i] : &kNoBlocks, path};
-    const bool stage = !stage_found && truth_at(targets[i], "isStage");
+    const bool stage = !stage_found && json.find("isStage").truth();
     stage_found = stage_found || stage;
     stage ? void(out.front() = target) : out.push_back(target);
   }
   if (!stage_found) warning("/targets", messages::no_stage);
   std::stable_sort(out.begin() + 1, out.end(),
-                   [](const Target& a, const Target& b) { return layer_of(*a.json) < layer_of(*b.json); });
+                   [](const Target& a, const Target& b) { return layer_of(a.json) < layer_of(b.json); });
   program_.sprites.assign(1, Sprite{});
   for (std::size_t i = 1; i < out.size(); ++i) {
-    program_.sprites.push_back({text_at(*out[i].json, "name"), false, false});
+    program_.sprites.push_back({plain_text(out[i].json.find("name")), false, false});
   }
   return out;
 }
@@ -117,17 +108,16 @@ std::size_t ProjectReader::add_variable(const std::string& id, const std::string
 void ProjectReader::read_variables(const Target& target) {
   read_values(target, "variables", VariableKind::scalar);
   read_values(target, "lists", VariableKind::list);
-  const Json* messages_sent = object_field(*target.json, "broadcasts", target.path);
-  if (!messages_sent) return;
-  for (const auto& [id, name] : messages_sent->items()) {
-    if (!name.is_string()) wrong(target.path + "/broadcasts/" + id, "text", name);
+  const JsonValue messages_sent = object_field(target.json, "broadcasts", target.path);
+  for (const JsonValue name : messages_sent) {
+    if (!name.is_text()) wrong(target.path + "/broadcasts/" + std::string(name.key()), "text", name);
   }
 }
 
 void ProjectReader::read_values(const Target& target, const char* field, VariableKind kind) {
-  const Json* values = object_field(*target.json, field, target.path);
-  if (!values) return;
-  for (const auto& [id, value] : values->items()) {
+  const JsonValue values = object_field(target.json, field, target.path);
+  for (const JsonValue value : values.fields()) {
+    const std::string id(value.key());
     const std::string place = target.path + "/" + field + "/" + id;
     const bool list = kind == VariableKind::list;
     if (!value.is_array() || value.empty() || (list && value.size() > 1 && !value[1].is_array())) {
@@ -139,7 +129,7 @@ void ProjectReader::read_values(const Target& target, const char* field, Variabl
     if (!list) {
       variable.initial = initial_value(value[1]);
     } else {
-      for (const Json& item : value[1]) variable.initial_items.push_back(initial_value(item));
+      for (const JsonValue item : value[1]) variable.initial_items.push_back(initial_value(item));
     }
   }
 }
@@ -207,12 +197,13 @@ void ProjectReader::find_values_of_sprites() {
 
 ReadProgram read_scratch_project(std::string_view json_text) {
   ReadProgram out;
-  const Result<ProjectJson> project = parse_project(json_text);
-  if (!project) {
-    out.faults = project.faults();
+  const JsonTree tree = JsonTree::parse(json_text);
+  if (const auto broken = tree.broken()) {
+    const std::string byte = broken->number_too_large ? "-" : std::to_string(broken->byte);
+    out.faults.push_back(make_fault("", messages::project_broken, {{"byte", byte}}));
     return out;
   }
-  ProjectReader(out).read(*project);
+  ProjectReader(out).read(tree.root());
   return out;
 }
 

@@ -7,9 +7,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "vm/json_access.h"
+#include "vm/json_tree.h"
 #include "vm/reader.h"
-#include "vm/sb3_json.h"
 
 namespace mirada::vm {
 
@@ -19,29 +18,27 @@ namespace mirada::vm {
 class ProjectReader {
  public:
   explicit ProjectReader(ReadProgram& out) : out_(out), program_(out.program) {}
-  void read(const ProjectJson& project);
+  void read(JsonValue project);
 
  private:
-  using Json = nlohmann::json;
   struct Target {
-    const Json* json;
-    const std::vector<std::string>* block_order;
+    JsonValue json;
     std::string path;
   };
   struct Task {
-    const Json* json;
+    JsonValue json;
     BlockIndex index;
     std::string path;
   };
 
   void error(std::string place, const Message& message, MessageArgs args = {});
   void warning(std::string place, const Message& message, MessageArgs args = {});
-  void wrong(const std::string& place, const char* expected, const Json& value);
-  /// A field that must be an object where it is there; null when it is not.
-  const Json* object_field(const Json& json, const char* name, const std::string& path);
+  void wrong(const std::string& place, const char* expected, JsonValue value);
+  /// A field that must be an object where it is there; nothing when it is not.
+  JsonValue object_field(JsonValue json, const char* name, const std::string& path);
 
   // sb3_reader.cpp: targets and their variables
-  std::vector<Target> order_targets(const Json& targets, const ProjectJson& project);
+  std::vector<Target> order_targets(JsonValue targets);
   void read_variables(const Target& target);
   void read_values(const Target& target, const char* field, VariableKind kind);
   std::size_t add_variable(const std::string& id, const std::string& name, VariableKind kind);
@@ -54,25 +51,25 @@ class ProjectReader {
   // sb3_blocks.cpp
   void read_scripts(const Target& target);
   BlockIndex add_block(const std::string& id, BlockIndex parent, BlockIndex enclosing);
-  BlockIndex add_literal(const Json& value, BlockIndex parent);
-  BlockIndex add_named(const char* opcode, const char* field, const Json& primitive, VariableKind kind,
+  BlockIndex add_literal(JsonValue value, BlockIndex parent);
+  BlockIndex add_named(const char* opcode, const char* field, JsonValue primitive, VariableKind kind,
                        BlockIndex parent);
-  BlockIndex add_content(const Json& content, BlockIndex parent, const std::string& path);
+  BlockIndex add_content(JsonValue content, BlockIndex parent, const std::string& path);
   void fill(const Task& task);
   void read_next(const Task& task);
   void read_fields(const Task& task);
   void read_inputs(const Task& task);
-  void read_input(const Task& task, const std::string& name, const Json& value);
+  void read_input(const Task& task, const std::string& name, JsonValue value);
   void settle(Block& block);
   void read_definition(const Task& task);
   void read_call(const Task& task);
-  std::vector<std::string> text_list(const Json& mutation, const char* name, const std::string& place);
+  std::vector<std::string> text_list(JsonValue mutation, const char* name, const std::string& place);
 
   ReadProgram& out_;
   Program& program_;
   std::int32_t sprite_ = 0;
-  std::string path_;                                     // of this target
-  std::unordered_map<std::string, const Json*> blocks_;  // of this target
+  std::string path_;                                        // of this target
+  std::unordered_map<std::string_view, JsonValue> blocks_;  // of this target
   std::unordered_set<std::string> reached_;
   std::vector<Task> tasks_;
   /// Sprite, kind, and "#id" or "=name" -> the variable's id in the program.

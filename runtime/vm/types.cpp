@@ -8,10 +8,10 @@
 namespace mirada::vm {
 namespace {
 
-Types of_param(ParamType declared, Types given) {
+/// What a parameter of this kind can hold whatever it is given.
+Types of_param(ParamType declared) {
   if (declared == ParamType::number) return type::number;
-  if (declared == ParamType::truth) return type::truth;
-  return given;
+  return declared == ParamType::truth ? type::truth : Types{0};
 }
 
 Types of_reporter(const BlockDef& def) {
@@ -34,12 +34,12 @@ Types type_of(const Field& initial) {
 
 TypeTable::TypeTable(const Program& program, const std::vector<bool>& runs) : program_(program), runs_(runs) {
   find_tops();
-  find_definitions();
-  seed();
-  while (pass()) {
-  }
-  for (std::size_t i = 0; i < variables_.size(); ++i) {
-    if (variables_[i] == 0) variables_[i] = type::number;
+  add_variables();
+  add_definitions();
+  collect_assignments();
+  follow_assignments();
+  for (std::size_t i = 0; i < program_.variables.size(); ++i) {
+    if (types_[i] == 0) types_[i] = type::number;
   }
 }
 
@@ -51,18 +51,32 @@ void TypeTable::find_tops() {
   }
 }
 
-void TypeTable::find_definitions() {
+void TypeTable::add_variables() {
+  for (std::size_t i = 0; i < program_.variables.size(); ++i) {
+    const Variable& variable = program_.variables[i];
+    variable_ids_.emplace(variable.id, static_cast<int>(i));
+    Types types = 0;
+    if (variable.kind == VariableKind::list) {
+      for (const Field& item : variable.initial_items) types |= type_of(item);
+    } else {
+      types = type_of(variable.initial);
+    }
+    types_.push_back(types);
+  }
+}
+
+void TypeTable::add_definitions() {
   for (std::size_t i = 0; i < program_.blocks.size(); ++i) {
     const Block& block = program_.blocks[i];
     if (block.opcode != "procedures_definition" || block.signature < 0 || block.disabled) continue;
     const Signature& signature = program_.signatures[static_cast<std::size_t>(block.signature)];
     const auto number = static_cast<int>(definitions_.size());
-    if (!definition_ids_.emplace(std::pair{signature.id, block.sprite}, number).second) continue;
+    if (!definition_ids_.emplace(std::pair{std::string_view(signature.id), block.sprite}, number).second)
+      continue;
     definitions_.push_back(static_cast<BlockIndex>(i));
-    std::vector<Types> params;
-    for (const Parameter& param : signature.params) params.push_back(of_param(param.type, 0));
-    params_.push_back(std::move(params));
-    returns_.push_back(falls_through(block.next) ? type::text : Types{0});
+    places_.push_back(static_cast<Place>(types_.size()));
+    types_.push_back(falls_through(block.next) ? type::text : Types{0});
+    for (const Parameter& param : signature.params) types_.push_back(of_param(param.type));
   }
 }
 
@@ -80,123 +94,108 @@ bool TypeTable::falls_through(BlockIndex first) const {
   return true;
 }
 
-void TypeTable::seed() {
-  for (std::size_t i = 0; i < program_.variables.size(); ++i) {
-    const Variable& variable = program_.variables[i];
-    variable_ids_.emplace(variable.id, static_cast<int>(i));
-    Types types = 0;
-    if (variable.kind == VariableKind::list) {
-      for (const Field& item : variable.initial_items) {
-        types |= type_of(item);
-      }
-    } else {
-      types = type_of(variable.initial);
-    }
-    variables_.push_back(types);
+void TypeTable::collect_assignments() {
+  for (std::size_t i = 0; i < program_.blocks.size(); ++i) {
+    if (runs_[i] && program_.blocks[i].def) collect(static_cast<BlockIndex>(i));
   }
 }
 
-Types TypeTable::literal(const Block& block) {
-  const Field* field = literal_field(block);
-  return field ? type_of(*field) : type::text;
-}
-
-Types TypeTable::of_input(const Block& block, std::string_view name) const {
-  const Input* input = block.input(name);
-  if (!input) return type::text;
-  const bool off = input->block == kNone || program_.at(input->block).disabled;
-  return of_block(off ? input->shadow : input->block);
-}
-
-Types TypeTable::of_block(BlockIndex index) const {
-  if (index == kNone) return type::text;
+void TypeTable::collect(BlockIndex index) {
   const Block& block = program_.at(index);
-  if (literal_field(block)) return literal(block);
-  if (!block.def) return type::text;
-  if (block.opcode == "data_variable") {
-    const int variable = variable_of(block, "VARIABLE");
-    const Types types = variable < 0 ? Types{0} : variables_[static_cast<std::size_t>(variable)];
-    return types;
+  const std::string& opcode = block.opcode;
+  if (opcode == "data_setvariableto") {
+    assign(variable_of(block, "VARIABLE"), source_of_input(block, "VALUE"));
+  } else if (opcode == "data_changevariableby" || opcode == "control_for_each") {
+    assign(variable_of(block, "VARIABLE"), {type::number});
+  } else if (opcode == "data_for_each_item") {
+    const Place list = variable_of(block, "LIST");
+    if (list >= 0) assign(variable_of(block, "VARIABLE"), {0, list});
+  } else if (opcode == "data_addtolist" || opcode == "data_insertatlist" ||
+             opcode == "data_replaceitemoflist") {
+    assign(variable_of(block, "LIST"), source_of_input(block, "ITEM"));
+  } else if (opcode == "procedures_return" || opcode == "control_stop") {
+    // "this script" leaves a my-block as its end does: with an empty text.
+    const int around = definition_around(index);
+    if (around < 0) return;
+    assign(place_returned(around),
+           opcode == "control_stop" ? Source{type::text} : source_of_input(block, "VALUE"));
+  } else if (opcode.starts_with("procedures_call")) {
+    collect_call(block);
   }
-  if (block.opcode == "data_itemoflist") {
-    const int list = variable_of(block, "LIST");
-    return list < 0 ? type::text
-                    : static_cast<Types>(variables_[static_cast<std::size_t>(list)] | type::text);
+}
+
+void TypeTable::collect_call(const Block& block) {
+  const int definition = definition_of(block);
+  if (definition < 0) return;
+  const std::vector<Parameter>& params = signature(definition).params;
+  for (std::size_t i = 0; i < params.size(); ++i) {
+    if (of_param(params[i].type) != 0) continue;
+    assign(first_parameter(definition) + static_cast<Place>(i), source_of_input(block, params[i].id));
   }
+}
+
+/// What is new in a place goes on to those that take from it.
+void TypeTable::follow_assignments() {
+  std::vector<std::vector<Place>> takers(types_.size());
+  std::vector<Place> fresh;
+  const auto add = [&](Place to, Types what) {
+    Types& types = types_[static_cast<std::size_t>(to)];
+    const auto both = static_cast<Types>(types | what);
+    if (both == types) return;
+    types = both;
+    fresh.push_back(to);
+  };
+  for (const Assignment& one : assignments_) {
+    add(one.to, one.from.always);
+    if (one.from.place < 0) continue;
+    takers[static_cast<std::size_t>(one.from.place)].push_back(one.to);
+    add(one.to, at(one.from.place));
+  }
+  while (!fresh.empty()) {
+    const Place from = fresh.back();
+    fresh.pop_back();
+    for (const Place to : takers[static_cast<std::size_t>(from)]) add(to, at(from));
+  }
+}
+
+TypeTable::Source TypeTable::literal(const Block& block) {
+  const Field* field = literal_field(block);
+  return {field ? type_of(*field) : type::text};
+}
+
+TypeTable::Source TypeTable::source_of_input(const Block& block, std::string_view name) const {
+  const Input* input = block.input(name);
+  if (!input) return {type::text};
+  const bool off = input->block == kNone || program_.at(input->block).disabled;
+  return source_of(off ? input->shadow : input->block);
+}
+
+TypeTable::Source TypeTable::source_of(BlockIndex index) const {
+  if (index == kNone) return {type::text};
+  const Block& block = program_.at(index);
+  if (!block.def) return literal(block);
+  if (block.opcode == "data_variable") return {0, variable_of(block, "VARIABLE")};
+  if (block.opcode == "data_itemoflist") return {type::text, variable_of(block, "LIST")};
   if (block.opcode.starts_with("argument_reporter")) {
     const int param = parameter_of(index);
-    const int around = definition_around(index);
-    return param < 0 ? type::number
-                     : params_[static_cast<std::size_t>(around)][static_cast<std::size_t>(param)];
+    if (param < 0) return {type::number};
+    return {0, first_parameter(definition_around(index)) + param};
   }
   if (block.opcode == "procedures_call_value") {
     const int definition = definition_of(block);
-    return definition < 0 ? type::text : returns_[static_cast<std::size_t>(definition)];
+    return definition < 0 ? Source{type::text} : Source{0, place_returned(definition)};
   }
-  return of_reporter(*block.def);
+  return {of_reporter(*block.def)};
 }
 
-bool TypeTable::assign(Types& place, Types what) {
-  const auto both = static_cast<Types>(place | what);
-  const bool fresh = both != place;
-  place = both;
-  return fresh;
+Types TypeTable::of_input(const Block& block, std::string_view name) const {
+  const Source source = source_of_input(block, name);
+  return static_cast<Types>(source.always | (source.place < 0 ? 0 : at(source.place)));
 }
 
-bool TypeTable::pass() {
-  bool fresh = false;
-  for (std::size_t i = 0; i < program_.blocks.size(); ++i) {
-    if (runs_[i]) fresh = visit(static_cast<BlockIndex>(i)) || fresh;
-  }
-  return fresh;
-}
-
-bool TypeTable::visit(BlockIndex index) {
-  const Block& block = program_.at(index);
-  const auto place = [&](std::string_view field) -> Types* {
-    const int variable = variable_of(block, field);
-    return variable < 0 ? nullptr : &variables_[static_cast<std::size_t>(variable)];
-  };
-  const std::string& opcode = block.opcode;
-  if (opcode == "data_setvariableto") {
-    Types* variable = place("VARIABLE");
-    return variable && assign(*variable, of_input(block, "VALUE"));
-  }
-  if (opcode == "data_changevariableby" || opcode == "control_for_each") {
-    Types* variable = place("VARIABLE");
-    return variable && assign(*variable, type::number);
-  }
-  if (opcode == "data_for_each_item") {
-    Types* variable = place("VARIABLE");
-    const Types* list = place("LIST");
-    return variable && list && assign(*variable, *list);
-  }
-  if (opcode == "data_addtolist" || opcode == "data_insertatlist" || opcode == "data_replaceitemoflist") {
-    Types* list = place("LIST");
-    return list && assign(*list, of_input(block, "ITEM"));
-  }
-  if (opcode == "procedures_return") {
-    const int around = definition_around(index);
-    return around >= 0 && assign(returns_[static_cast<std::size_t>(around)], of_input(block, "VALUE"));
-  }
-  if (opcode == "control_stop") {
-    // "this script" leaves a my-block as its end does: with an empty text.
-    const int around = definition_around(index);
-    return around >= 0 && assign(returns_[static_cast<std::size_t>(around)], type::text);
-  }
-  return opcode.starts_with("procedures_call") && visit_call(block);
-}
-
-bool TypeTable::visit_call(const Block& block) {
-  const int definition = definition_of(block);
-  if (definition < 0) return false;
-  const Signature& real = signature(definition);
-  bool fresh = false;
-  for (std::size_t i = 0; i < real.params.size(); ++i) {
-    Types& place = params_[static_cast<std::size_t>(definition)][i];
-    fresh = assign(place, of_param(real.params[i].type, of_input(block, real.params[i].id))) || fresh;
-  }
-  return fresh;
+Types TypeTable::of_block(BlockIndex index) const {
+  const Source source = source_of(index);
+  return static_cast<Types>(source.always | (source.place < 0 ? 0 : at(source.place)));
 }
 
 int TypeTable::variable_of(const Block& block, std::string_view field) const {

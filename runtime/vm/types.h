@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <vector>
 
@@ -23,7 +24,7 @@ constexpr bool is_bare(Types t) { return (t & ~(type::number | type::digits)) ==
 /// Bare, and some of it texts: vm/digits.h.
 constexpr bool is_mixed(Types t) { return t == (type::number | type::digits); }
 
-/// The program's my-blocks, variables and lists, and what each can hold: found by going over all assignments
+/// The program's my-blocks, variables and lists, and what each can hold: found by following all assignments
 /// until nothing is new. A block's own parts are looked up here by the compiler too.
 class TypeTable {
  public:
@@ -31,11 +32,11 @@ class TypeTable {
 
   Types of_block(BlockIndex index) const;  ///< of a reporter or literal; an absent block is an empty text
   Types of_input(const Block& block, std::string_view input) const;
-  Types variable(int index) const { return variables_[static_cast<std::size_t>(index)]; }
+  Types variable(int index) const { return at(index); }
   Types parameter(int definition, std::size_t param) const {
-    return params_[static_cast<std::size_t>(definition)][param];
+    return at(first_parameter(definition) + static_cast<Place>(param));
   }
-  Types returned(int definition) const { return returns_[static_cast<std::size_t>(definition)]; }
+  Types returned(int definition) const { return at(place_returned(definition)); }
 
   /// The variable or list that a block's field names; -1 when it names none. A local one is its script's own.
   int variable_of(const Block& block, std::string_view field) const;
@@ -51,25 +52,46 @@ class TypeTable {
   BlockIndex top_of(BlockIndex index) const { return top_of_[static_cast<std::size_t>(index)]; }
 
  private:
+  /// What can hold a value: variables and lists (their index), then each definition's return value and
+  /// parameters.
+  using Place = int;
+  /// What an expression can give: some types always, and what a place can hold.
+  struct Source {
+    Types always = 0;
+    Place place = -1;
+  };
+  struct Assignment {
+    Place to;
+    Source from;
+  };
+
   void find_tops();
-  void find_definitions();
-  void seed();
-  bool pass();
-  bool assign(Types& place, Types what);
-  bool visit(BlockIndex index);
-  bool visit_call(const Block& block);
+  void add_variables();
+  void add_definitions();
   bool falls_through(BlockIndex first) const;
-  static Types literal(const Block& block);
+  void collect_assignments();
+  void collect(BlockIndex index);
+  void collect_call(const Block& block);
+  void assign(Place to, Source from) {
+    if (to >= 0) assignments_.push_back({to, from});
+  }
+  void follow_assignments();
+  Source source_of(BlockIndex index) const;
+  Source source_of_input(const Block& block, std::string_view name) const;
+  static Source literal(const Block& block);
+  Types at(Place place) const { return types_[static_cast<std::size_t>(place)]; }
+  Place place_returned(int definition) const { return places_[static_cast<std::size_t>(definition)]; }
+  Place first_parameter(int definition) const { return place_returned(definition) + 1; }
 
   const Program& program_;
   const std::vector<bool>& runs_;
   std::vector<BlockIndex> top_of_;
   std::vector<BlockIndex> definitions_;
-  std::map<std::pair<std::string, int>, int> definition_ids_;
-  std::unordered_map<std::string, int> variable_ids_;
-  std::vector<Types> variables_;
-  std::vector<std::vector<Types>> params_;
-  std::vector<Types> returns_;
+  std::map<std::pair<std::string_view, int>, int> definition_ids_;
+  std::unordered_map<std::string_view, int> variable_ids_;
+  std::vector<Types> types_;   ///< by place
+  std::vector<Place> places_;  ///< by definition: of its return value, its parameters' follow
+  std::vector<Assignment> assignments_;
 };
 
 }  // namespace mirada::vm
