@@ -1,4 +1,3 @@
-#include "base/messages.h"
 #include "vm/json_tree.h"
 #include "vm/messages.h"
 #include "vm/reader.h"
@@ -245,22 +244,9 @@ void Reader::read_signature(JsonValue json, BlockIndex index, const std::string&
 
 }  // namespace
 
-ReadProgram read_blockly(std::string_view json_text) {
+ReadProgram read_blockly(JsonValue root) {
   ReadProgram out;
-  if (json_text.size() > limits::kProgramBytes) {
-    out.faults.push_back(make_fault(
-        "", messages::program_too_large,
-        {{"bytes", std::to_string(json_text.size())}, {"limit", std::to_string(limits::kProgramBytes)}}));
-    return out;
-  }
-  const JsonTree tree = JsonTree::parse(json_text);
-  if (const auto broken = tree.broken()) {
-    out.faults.push_back(broken->number_too_large ? make_fault("", mirada::messages::json_number_too_large)
-                                                  : make_fault("", mirada::messages::json_broken,
-                                                               {{"byte", std::to_string(broken->byte)}}));
-    return out;
-  }
-  Reader(out).read(tree.root());
+  Reader(out).read(root);
   return out;
 }
 

@@ -1,9 +1,13 @@
+// From bytes to one of the two readers.
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
 
 #include <zip.h>
 
+#include "base/messages.h"
+#include "vm/json_tree.h"
 #include "vm/messages.h"
 #include "vm/reader.h"
 
@@ -21,6 +25,11 @@ ReadProgram broken(const Message& why, MessageArgs args = {}) {
 
 ReadProgram too_large() {
   return broken(messages::archive_too_large, {{"limit_mib", std::to_string(kMaxProject >> 20)}});
+}
+
+ReadProgram program_too_large(std::size_t bytes) {
+  return broken(messages::program_too_large,
+                {{"bytes", std::to_string(bytes)}, {"limit", std::to_string(limits::kProgramBytes)}});
 }
 
 /// How many folders project.json lies in by this name, "." being no folder; none when the name says something
@@ -51,10 +60,32 @@ zip_int64_t find_project(zip_t* archive) {
   return in_folder;
 }
 
-/// Scratch 2 kept the stage as the outermost object, with its name first or near it.
-bool looks_like_scratch_2(std::string_view text) {
-  return text.find("\"objName\"") != std::string_view::npos &&
-         text.find("\"targets\"") == std::string_view::npos;
+ReadProgram old_scratch(const char* version) { return broken(messages::old_scratch, {{"version", version}}); }
+
+/// What a text that is no JSON was meant to be.
+bool looks_like_project(std::string_view text) {
+  const std::size_t targets = text.find("\"targets\"");
+  const std::size_t blockly = std::min(text.find("\"workspace\""), text.find("\"languageVersion\""));
+  return targets != std::string_view::npos && targets < blockly;
+}
+
+ReadProgram broken_json(const JsonTree::Broken& where, bool project) {
+  const std::string byte = where.number_too_large ? "-" : std::to_string(where.byte);
+  if (project) return broken(messages::project_broken, {{"byte", byte}});
+  if (where.number_too_large) return broken(mirada::messages::json_number_too_large);
+  return broken(mirada::messages::json_broken, {{"byte", byte}});
+}
+
+/// Told apart by the outermost fields: Scratch 3 has targets there, Scratch 2 the stage itself.
+ReadProgram read_json(std::string_view text, bool from_archive) {
+  const JsonTree tree = JsonTree::parse(text);
+  if (tree.broken()) return broken_json(*tree.broken(), from_archive || looks_like_project(text));
+  const JsonValue root = tree.root();
+  const bool ours = !from_archive && root.find("workspace");
+  if (!ours && !root.find("targets") && root.find("objName")) return old_scratch("2");
+  if (from_archive || (!ours && root.find("targets"))) return read_scratch_project(root);
+  if (text.size() > limits::kProgramBytes) return program_too_large(text.size());
+  return read_blockly(root);
 }
 
 /// Only project.json is unpacked, from memory to memory and never more than the limit: no path and no bomb
@@ -88,29 +119,16 @@ ReadProgram read_archive(std::string_view bytes) {
     text.append(chunk.data(), static_cast<std::size_t>(got));
     if (text.size() > kMaxProject) return too_large();
   }
-  if (looks_like_scratch_2(text)) return broken(messages::old_scratch, {{"version", "2"}});
-  return read_scratch_project(text);
-}
-
-/// Whether the outermost object of a JSON text has a list called targets, as a Scratch project has.
-bool looks_like_project(std::string_view text) {
-  const std::size_t targets = text.find("\"targets\"");
-  const std::size_t blockly = std::min(text.find("\"workspace\""), text.find("\"languageVersion\""));
-  return targets != std::string_view::npos && targets < blockly;
+  return read_json(text, true);
 }
 
 }  // namespace
 
 ReadProgram read_program(std::string_view bytes) {
   if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06")) return read_archive(bytes);
-  if (bytes.starts_with("ScratchV0")) return broken(messages::old_scratch, {{"version", "1"}});
-  if (looks_like_project(bytes)) {
-    return bytes.size() <= kMaxProject ? read_scratch_project(bytes) : too_large();
-  }
-  if (bytes.find("\"workspace\"") == std::string_view::npos && looks_like_scratch_2(bytes)) {
-    return broken(messages::old_scratch, {{"version", "2"}});
-  }
-  return read_blockly(bytes);
+  if (bytes.starts_with("ScratchV0")) return old_scratch("1");
+  if (bytes.size() <= kMaxProject) return read_json(bytes, false);
+  return looks_like_project(bytes) ? too_large() : program_too_large(bytes.size());
 }
 
 }  // namespace mirada::vm

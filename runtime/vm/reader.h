@@ -3,6 +3,7 @@
 
 #include "base/result.h"
 #include "vm/ast.h"
+#include "vm/json_tree.h"
 
 namespace mirada::vm {
 
@@ -14,10 +15,10 @@ struct ReadProgram {
 };
 
 /// The editor's envelope or a bare Blockly workspace (docs/program-format.md).
-ReadProgram read_blockly(std::string_view json_text);
+ReadProgram read_blockly(JsonValue root);
 /// A Scratch 3 project's project.json.
-ReadProgram read_scratch_project(std::string_view json_text);
-/// Any of them, and .sb3 files: told apart by their content.
+ReadProgram read_scratch_project(JsonValue root);
+/// Any of them as text, and .sb3 files: told apart by their content.
 ReadProgram read_program(std::string_view bytes);
 
 }  // namespace mirada::vm

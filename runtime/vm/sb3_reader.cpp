@@ -195,15 +195,9 @@ void ProjectReader::find_values_of_sprites() {
   }
 }
 
-ReadProgram read_scratch_project(std::string_view json_text) {
+ReadProgram read_scratch_project(JsonValue root) {
   ReadProgram out;
-  const JsonTree tree = JsonTree::parse(json_text);
-  if (const auto broken = tree.broken()) {
-    const std::string byte = broken->number_too_large ? "-" : std::to_string(broken->byte);
-    out.faults.push_back(make_fault("", messages::project_broken, {{"byte", byte}}));
-    return out;
-  }
-  ProjectReader(out).read(tree.root());
+  ProjectReader(out).read(root);
   return out;
 }
 
