@@ -21,15 +21,16 @@ bool is_index(std::string_view key) {
   return std::all_of(key.begin(), key.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-std::vector<std::string> in_order_of_javascript(JsonValue object) {
-  std::vector<std::string> keys;
+std::vector<std::string_view> in_order_of_javascript(JsonValue object) {
+  std::vector<std::string_view> keys;
   std::unordered_set<std::string_view> seen;
   for (const JsonValue field : object) {
-    if (seen.insert(field.key()).second) keys.emplace_back(field.key());
+    if (seen.insert(field.key()).second) keys.push_back(field.key());
   }
   const auto middle = std::stable_partition(keys.begin(), keys.end(), is_index);
-  std::sort(keys.begin(), middle,
-            [](const std::string& a, const std::string& b) { return std::stol(a) < std::stol(b); });
+  std::sort(keys.begin(), middle, [](std::string_view a, std::string_view b) {
+    return std::pair(a.size(), a) < std::pair(b.size(), b);
+  });
   return keys;
 }
 
@@ -49,10 +50,10 @@ void ProjectReader::read_scripts(const Target& target) {
       wrong(path_ + "/" + std::string(json.key()), "{opcode, ...}", json);
     }
   }
-  for (const std::string& id : in_order_of_javascript(blocks)) {
+  for (const std::string_view id : in_order_of_javascript(blocks)) {
     const auto it = blocks_.find(id);
     if (it == blocks_.end() || !it->second.find("topLevel").truth()) continue;
-    const BlockIndex index = add_block(id, kNone, kNone);
+    const BlockIndex index = add_block(std::string(id), kNone, kNone);
     if (index != kNone) program_.tops.push_back(index);
     for (std::size_t next = 0; next < tasks_.size(); ++next) fill(Task(tasks_[next]));
     tasks_.clear();
@@ -72,9 +73,8 @@ BlockIndex ProjectReader::add_block(const std::string& id, BlockIndex parent, Bl
     return kNone;
   }
   const JsonValue json = it->second;
-  const std::string path = path_ + "/" + id;
   const JsonValue opcode = json.find("opcode");
-  if (!opcode.is_text()) wrong(path + "/opcode", "text", opcode);
+  if (!opcode.is_text()) wrong(path_ + "/" + id + "/opcode", "text", opcode);
   const auto index = static_cast<BlockIndex>(program_.blocks.size());
   Block& block = program_.blocks.emplace_back();
   block.id = id;
@@ -85,7 +85,7 @@ BlockIndex ProjectReader::add_block(const std::string& id, BlockIndex parent, Bl
   block.sprite = sprite_;
   block.is_shadow = json.find("shadow").truth();
   program_.by_id.emplace(block.id, index);
-  tasks_.push_back({json, index, path});
+  tasks_.push_back({json, index});
   return index;
 }
 
@@ -116,13 +116,14 @@ BlockIndex ProjectReader::add_named(const char* opcode, const char* field, JsonV
 }
 
 /// What stands in a socket: nothing, a block's id, or a compressed literal, variable, list or message.
-BlockIndex ProjectReader::add_content(JsonValue content, BlockIndex parent, const std::string& path) {
+BlockIndex ProjectReader::add_content(JsonValue content, const Task& task, std::string_view name) {
+  const BlockIndex parent = task.index;
   if (content.is_null()) return kNone;
   if (content.is_text()) return add_block(plain_text(content), parent, parent);
   const bool primitive = content.is_array() && content.size() >= 2 && content[0].is_number();
   const double kind = primitive ? content[0].number() : 0;
   if (!(kind >= kFirstPrimitive && kind <= kListPrimitive) || content[1].is_structured()) {
-    wrong(path, "id | [4..13, value]", content);
+    wrong(path_of(task) + "/inputs/" + std::string(name), "id | [4..13, value]", content);
     return kNone;
   }
   if (kind == kVariablePrimitive) {
@@ -164,17 +165,17 @@ void ProjectReader::settle(Block& block) {
 void ProjectReader::read_next(const Task& task) {
   const JsonValue next = task.json.find("next");
   if (next.is_null()) return;
-  if (!next.is_text()) return wrong(task.path + "/next", "id", next);
+  if (!next.is_text()) return wrong(path_of(task) + "/next", "id", next);
   const BlockIndex follower = add_block(plain_text(next), task.index, program_.at(task.index).enclosing);
   program_.at(task.index).next = follower;
 }
 
 void ProjectReader::read_fields(const Task& task) {
-  const JsonValue fields = object_field(task.json, "fields", task.path);
+  const JsonValue fields = object_field(task, "fields");
   for (const JsonValue value : fields.fields()) {
     const std::string name(value.key());
     if (!value.is_array() || value.empty() || value[0].is_structured()) {
-      wrong(task.path + "/fields/" + name, "[value, id]", value);
+      wrong(path_of(task) + "/fields/" + name, "[value, id]", value);
       continue;
     }
     Field field{.name = name, .value = plain_text(value[0]), .id = {}, .is_number = value[0].is_number()};
@@ -186,13 +187,13 @@ void ProjectReader::read_fields(const Task& task) {
 }
 
 void ProjectReader::read_inputs(const Task& task) {
-  const JsonValue inputs = object_field(task.json, "inputs", task.path);
+  const JsonValue inputs = object_field(task, "inputs");
   for (const JsonValue value : inputs.fields()) {
     const std::string name(value.key());
     if (value.is_array()) {
       read_input(task, name, value);
     } else {
-      wrong(task.path + "/inputs/" + name, "[1..3, id | [...]]", value);
+      wrong(path_of(task) + "/inputs/" + name, "[1..3, id | [...]]", value);
     }
   }
 }
@@ -200,7 +201,6 @@ void ProjectReader::read_inputs(const Task& task) {
 /// [1, shadow], [2, block] or [3, block, the shadow beneath]. Some writers have 1 where 2 is meant, so what
 /// counts is whether the block says that it is a shadow.
 void ProjectReader::read_input(const Task& task, const std::string& name, JsonValue value) {
-  const std::string path = task.path + "/inputs/" + name;
   const JsonValue content = value[1];
   const bool message = content.is_array() && content.size() > 1 && content[0].is_number() &&
                        content[0].number() == kMessagePrimitive;
@@ -209,23 +209,22 @@ void ProjectReader::read_input(const Task& task, const std::string& name, JsonVa
     return;
   }
   Input input{.name = name};
-  const BlockIndex first = add_content(content, task.index, path + "/1");
+  const BlockIndex first = add_content(content, task, name + "/1");
   const bool shadow = first != kNone && program_.at(first).is_shadow;
   (shadow ? input.shadow : input.block) = first;
-  if (!shadow && value.size() > 2) input.shadow = add_content(value[2], task.index, path + "/2");
+  if (!shadow && value.size() > 2) input.shadow = add_content(value[2], task, name + "/2");
   program_.at(task.index).inputs.push_back(std::move(input));
 }
 
 /// A list that Scratch keeps as text within the JSON.
-std::vector<std::string> ProjectReader::text_list(JsonValue mutation, const char* name,
-                                                  const std::string& place) {
+std::vector<std::string> ProjectReader::text_list(JsonValue mutation, const char* name, const Task& task) {
   std::vector<std::string> out;
   const JsonValue kept = mutation.find(name);
   if (!kept) return out;
   const JsonTree within = JsonTree::parse(kept.is_text() ? kept.text() : "null");
   const JsonValue list = within.broken() ? JsonValue() : kept.is_text() ? within.root() : kept;
   if (!list.is_array()) {
-    wrong(place + "/mutation/" + name, "\"[text, ...]\"", kept);
+    wrong(path_of(task) + "/mutation/" + name, "\"[text, ...]\"", kept);
     return out;
   }
   for (const JsonValue item : list) out.push_back(plain_text(item));
@@ -243,9 +242,9 @@ void ProjectReader::read_definition(const Task& task) {
   Signature signature;
   signature.id = signature.name = plain_text(mutation.find("proccode"));
   signature.warp = plain_text(mutation.find("warp")) == "true";
-  const std::vector<std::string> ids = text_list(mutation, "argumentids", task.path);
-  const std::vector<std::string> names = text_list(mutation, "argumentnames", task.path);
-  const std::vector<std::string> defaults = text_list(mutation, "argumentdefaults", task.path);
+  const std::vector<std::string> ids = text_list(mutation, "argumentids", task);
+  const std::vector<std::string> names = text_list(mutation, "argumentnames", task);
+  const std::vector<std::string> defaults = text_list(mutation, "argumentdefaults", task);
   for (std::size_t i = 0; i < std::min(ids.size(), names.size()); ++i) {
     signature.params.push_back({ids[i], names[i], ParamType::raw, i < defaults.size() ? defaults[i] : ""});
   }

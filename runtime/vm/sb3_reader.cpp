@@ -39,12 +39,17 @@ void ProjectReader::wrong(const std::string& place, const char* expected, JsonVa
         {{"field", place}, {"expected", expected}, {"value", shown_json(value)}});
 }
 
-JsonValue ProjectReader::object_field(JsonValue json, const char* name, const std::string& path) {
+JsonValue ProjectReader::object_field(JsonValue json, const char* name, const std::string& folder) {
   const JsonValue value = json.find(name);
   if (value.is_object()) return value;
   // Scratch's own files have an empty list where nothing is.
-  if (!value.is_null() && !(value.is_array() && value.empty())) wrong(path + "/" + name, "{...}", value);
+  if (!value.is_null() && !(value.is_array() && value.empty())) wrong(folder + "/" + name, "{...}", value);
   return {};
+}
+
+JsonValue ProjectReader::object_field(const Task& task, const char* name) {
+  const JsonValue value = task.json.find(name);
+  return value.is_object() ? value : object_field(task.json, name, path_of(task));
 }
 
 void ProjectReader::read(JsonValue project) {

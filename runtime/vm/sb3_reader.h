@@ -28,14 +28,15 @@ class ProjectReader {
   struct Task {
     JsonValue json;
     BlockIndex index;
-    std::string path;
   };
 
   void error(std::string place, const Message& message, MessageArgs args = {});
   void warning(std::string place, const Message& message, MessageArgs args = {});
   void wrong(const std::string& place, const char* expected, JsonValue value);
   /// A field that must be an object where it is there; nothing when it is not.
-  JsonValue object_field(JsonValue json, const char* name, const std::string& path);
+  JsonValue object_field(JsonValue json, const char* name, const std::string& folder);
+  JsonValue object_field(const Task& task, const char* name);
+  std::string path_of(const Task& task) const { return path_ + "/" + std::string(task.json.key()); }
 
   // sb3_reader.cpp: targets and their variables
   std::vector<Target> order_targets(JsonValue targets);
@@ -54,7 +55,7 @@ class ProjectReader {
   BlockIndex add_literal(JsonValue value, BlockIndex parent);
   BlockIndex add_named(const char* opcode, const char* field, JsonValue primitive, VariableKind kind,
                        BlockIndex parent);
-  BlockIndex add_content(JsonValue content, BlockIndex parent, const std::string& path);
+  BlockIndex add_content(JsonValue content, const Task& task, std::string_view name);
   void fill(const Task& task);
   void read_next(const Task& task);
   void read_fields(const Task& task);
@@ -63,7 +64,7 @@ class ProjectReader {
   void settle(Block& block);
   void read_definition(const Task& task);
   void read_call(const Task& task);
-  std::vector<std::string> text_list(JsonValue mutation, const char* name, const std::string& place);
+  std::vector<std::string> text_list(JsonValue mutation, const char* name, const Task& task);
 
   ReadProgram& out_;
   Program& program_;
