@@ -118,7 +118,7 @@ std::string base_text(const session::Telemetry& telemetry) {
       {"run", telemetry.run},
       {"state", to_string(telemetry.state)},
       {"stop_reason", to_string(telemetry.stop_reason)},
-      {"blocks", telemetry.running_blocks},
+      {"blocks", telemetry.running_blocks ? json(*telemetry.running_blocks) : json::array()},
       {"variables", variables_to_json(telemetry.variables)},
       {"lists", lists_to_json(telemetry.lists)},
       {"say", telemetry.say},

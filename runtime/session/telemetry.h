@@ -41,7 +41,7 @@ struct Telemetry {
   std::uint64_t run = 0;  ///< counts the starts
   RunState state = RunState::idle;
   StopReason stop_reason = StopReason::none;
-  std::vector<std::string> running_blocks;
+  std::shared_ptr<const std::vector<std::string>> running_blocks;  ///< null: none
   std::map<std::string, vm::MonitorValue> variables;
   std::map<std::string, std::vector<vm::MonitorValue>> lists;
   std::string say;                     ///< the bubble now; "" = none

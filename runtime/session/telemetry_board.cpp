@@ -44,9 +44,14 @@ bool same_body(const Telemetry& a, const Telemetry& b) {
          a.camera_trouble_code == b.camera_trouble_code && a.scene_json == b.scene_json && same_memory(a, b);
 }
 
+bool same_blocks(const Telemetry& a, const Telemetry& b) {
+  if (!a.running_blocks || !b.running_blocks) return a.running_blocks == b.running_blocks;
+  return a.running_blocks == b.running_blocks || *a.running_blocks == *b.running_blocks;
+}
+
 bool same_run(const Telemetry& a, const Telemetry& b) {
-  return a.run == b.run && a.state == b.state && a.stop_reason == b.stop_reason &&
-         a.running_blocks == b.running_blocks && a.block_executions == b.block_executions;
+  return a.run == b.run && a.state == b.state && a.stop_reason == b.stop_reason && same_blocks(a, b) &&
+         a.block_executions == b.block_executions;
 }
 
 bool same_but_time(const Telemetry& a, const Telemetry& b) {

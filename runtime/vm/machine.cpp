@@ -182,7 +182,9 @@ bool Machine::waits_for_percept() const {
 
 Micros Machine::next_wake() const { return impl_->next_wake(); }
 Micros Machine::next_timer() const { return impl_->next_timer(); }
-std::vector<std::string> Machine::running_blocks() const { return impl_->running_blocks(); }
+std::shared_ptr<const std::vector<std::string>> Machine::running_blocks() const {
+  return impl_->running_blocks();
+}
 std::map<std::string, MonitorValue> Machine::variables() const { return impl_->variables(); }
 std::map<std::string, std::vector<MonitorValue>> Machine::lists(std::size_t max_items) const {
   return impl_->all_lists(max_items);

@@ -93,7 +93,8 @@ class Machine {
   Micros next_timer() const;
 
   /// Ids of the blocks being executed, the innermost of each live script, with the C-blocks around them.
-  std::vector<std::string> running_blocks() const;
+  /// Never null; the same list as long as nothing changes.
+  std::shared_ptr<const std::vector<std::string>> running_blocks() const;
   /// By name; script-local ones are left out.
   std::map<std::string, MonitorValue> variables() const;
   std::map<std::string, std::vector<MonitorValue>> lists(std::size_t max_items = 1'000) const;

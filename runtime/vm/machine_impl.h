@@ -46,6 +46,7 @@ struct Machine::Impl {
   void tick(bool back_to_back);
   bool held();
   bool out_of_time();
+  void end_tick_at(Micros wake);
   bool may_run(const Thread& thread) const;
   bool run_pass();
   void close_pass();
@@ -104,7 +105,7 @@ struct Machine::Impl {
   void give_up(Thread& thread, const Message& why, MessageArgs args = {});
   std::map<std::string, MonitorValue> variables() const;
   std::map<std::string, std::vector<MonitorValue>> all_lists(std::size_t max_items) const;
-  std::vector<std::string> running_blocks() const;
+  std::shared_ptr<const std::vector<std::string>> running_blocks() const;
 
   // machine.cpp
   const NativeSite& native_site(std::int32_t index) const;
@@ -145,6 +146,9 @@ struct Machine::Impl {
   std::unordered_map<std::string, std::unique_ptr<Function>> questions;
   std::vector<Thread*> ended;
 
+  mutable std::vector<bool> running_seen;  ///< by block: what running_ids holds
+  mutable std::shared_ptr<const std::vector<std::string>> running_ids;
+
   Turn turn;
   std::uint64_t next_serial = 1;
   std::uint64_t tick_number = 0;
@@ -163,7 +167,8 @@ struct Machine::Impl {
   bool mid_turn = false;      ///< the thread at pass_index was interrupted within its turn
   bool ticking_back_to_back = false;
   std::int64_t budget = 0;
-  Micros tick_end = 0;         ///< on the wall clock, when there is one
+  Micros tick_start = 0;  ///< on the wall clock, when there is one
+  Micros tick_end = 0;
   std::int64_t unwatched = 0;  ///< fuel spent since the wall clock was read
   std::uint64_t executions = 0;
   Thread* hold = nullptr;  ///< waits within "all at once": nobody else runs

@@ -1,6 +1,5 @@
 // What can be seen of a running program: values, running blocks, answers to clicks.
 #include <algorithm>
-#include <set>
 
 #include "vm/digits.h"
 #include "vm/machine_impl.h"
@@ -53,11 +52,13 @@ std::map<std::string, std::vector<MonitorValue>> Machine::Impl::all_lists(std::s
   return out;
 }
 
-std::vector<std::string> Machine::Impl::running_blocks() const {
+std::shared_ptr<const std::vector<std::string>> Machine::Impl::running_blocks() const {
   constexpr int kMaxCalls = 32;
-  std::set<BlockIndex> seen;
+  std::vector<bool> seen(code->program.blocks.size(), false);
   const auto add = [&](BlockIndex block) {
-    for (; block != kNone && seen.insert(block).second; block = code->program.at(block).enclosing) {
+    for (; block != kNone && !seen[static_cast<std::size_t>(block)];
+         block = code->program.at(block).enclosing) {
+      seen[static_cast<std::size_t>(block)] = true;
     }
   };
   for (const Thread* thread : threads) {
@@ -70,9 +71,14 @@ std::vector<std::string> Machine::Impl::running_blocks() const {
       add(caller.block_of[place - 1]);
     }
   }
-  std::vector<std::string> out;
-  for (const BlockIndex block : seen) out.push_back(code->program.at(block).id);
-  return out;
+  if (running_ids && seen == running_seen) return running_ids;
+  std::vector<std::string> ids;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i]) ids.push_back(code->program.blocks[i].id);
+  }
+  running_seen = std::move(seen);
+  running_ids = std::make_shared<const std::vector<std::string>>(std::move(ids));
+  return running_ids;
 }
 
 /// The function that answers one reporter's value: compiled when it is first asked for. Null: there is no

@@ -11,8 +11,12 @@ void Machine::Impl::tick(bool back_to_back) {
   ++tick_number;
   ticking_back_to_back = back_to_back;
   budget = static_cast<std::int64_t>(std::min<std::uint64_t>(limits.executions_per_tick, 1ULL << 60));
-  if (limits.wall) tick_end = limits.wall->now() + limits.tick_time;
   wake_sleepers();
+  if (limits.wall) {
+    tick_start = limits.wall->now();
+    tick_end = tick_start + limits.tick_time;
+    end_tick_at(next_timer());
+  }
   if (started) look_at_edges();
   if (held()) {
     interrupted.store(false);
@@ -37,6 +41,12 @@ bool Machine::Impl::out_of_time() {
   if (!limits.wall || limits.wall->now() < tick_end) return false;
   budget = 0;
   return true;
+}
+
+/// Live: no tick goes on when a script has slept enough, so that it need not wait for those that never do.
+void Machine::Impl::end_tick_at(Micros wake) {
+  const Micros left = wake - host.now();
+  if (left > 0 && left < limits.tick_time) tick_end = std::min(tick_end, tick_start + left);
 }
 
 /// Whether a script that waits within "all at once" keeps the others out of this tick.

@@ -248,6 +248,7 @@ void Machine::Impl::sleep(Thread& thread, Micros wake, bool next_tick) {
   thread.wake = std::max(wake, host.now());
   thread.earliest_tick = next_tick || !ticking_back_to_back ? tick_number + 1 : tick_number;
   if (!thread.is_condition) sleepers.emplace(thread.wake, thread.serial, &thread);
+  if (limits.wall) end_tick_at(thread.wake);
 }
 
 void Machine::Impl::fault(Thread& thread, BlockIndex block, const Message& message, MessageArgs args) {

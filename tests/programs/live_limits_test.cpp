@@ -40,6 +40,20 @@ TEST(LiveLimits, ManyShortTurnsEndWithTheTickToo) {
   EXPECT_LT(run.value("i"), 1000);
 }
 
+/// A script that never waits, and one that begins to: its time is up after so many milliseconds.
+std::uint64_t executions_beside(double wait_s) {
+  const HastyClock wall;
+  Running run(program({hat({wait(wait_s)}), hat({forever(change("i"))})}, {"i"}), live_limits(wall));
+  run.machine->tick();
+  const std::uint64_t first = run.machine->block_executions();
+  EXPECT_GT(run.value("i"), 0);
+  run.host.clock.advance(kMillisecond);
+  run.machine->tick();
+  return first + run.machine->block_executions();
+}
+
+TEST(LiveLimits, ATickEndsWhenASleeperIsDue) { EXPECT_LT(executions_beside(0.002), executions_beside(0.5)); }
+
 TEST(LiveLimits, TheTimerIsTheNextSleepersTime) {
   Running run(program({hat({wait(0.5)}), hat({wait(0.3)}), hat({forever(change("i"))})}, {"i"}));
   EXPECT_EQ(run.machine->next_timer(), INT64_MAX);

@@ -203,7 +203,7 @@ TEST(Machine, AClickedReporterAnswersItsValueWhileTheProgramRuns) {
 TEST(Machine, RunningBlocksAreTheInnermostWithWhatHoldsThem) {
   Running run(program({hat({with_id(forever({with_id(wait(1), "wait")}), "loop")})}, {}));
   run.machine->tick();
-  EXPECT_EQ(run.machine->running_blocks(), (std::vector<std::string>{"loop", "wait"}));
+  EXPECT_EQ(*run.machine->running_blocks(), (std::vector<std::string>{"loop", "wait"}));
 }
 
 /// A stack of `count` blocks below a flag hat, written as text from the front: a tree of JSON values that is

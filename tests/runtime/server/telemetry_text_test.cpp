@@ -19,7 +19,7 @@ session::Telemetry rich() {
   t.t = 1'250'000;
   t.run = 3;
   t.state = session::RunState::running;
-  t.running_blocks = {"a", "b\"c"};
+  t.running_blocks = std::make_shared<const std::vector<std::string>>(std::vector<std::string>{"a", "b\"c"});
   t.variables["n"] = {"0.5", true, 0.5, false};
   t.variables["inf"] = {"Infinity", true, std::numeric_limits<double>::infinity(), false};
   t.variables["yes"] = {"true", false, 0, true};

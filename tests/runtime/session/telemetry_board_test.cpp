@@ -50,11 +50,15 @@ bool is_news(Change change) {
   return board.latest() != seen;
 }
 
+auto blocks(std::vector<std::string> ids) {
+  return std::make_shared<const std::vector<std::string>>(std::move(ids));
+}
+
 TEST(TelemetryBoard, ShowsWhatIsNew) {
   EXPECT_TRUE(is_news([](Telemetry& next) { next.X_OR.y_m = 1; }));
   EXPECT_TRUE(is_news([](Telemetry& next) { next.variables["a"] = {}; }));
   EXPECT_TRUE(is_news([](Telemetry& next) { next.lists["a"] = {{}}; }));
-  EXPECT_TRUE(is_news([](Telemetry& next) { next.running_blocks = {"b"}; }));
+  EXPECT_TRUE(is_news([](Telemetry& next) { next.running_blocks = blocks({"b"}); }));
   EXPECT_TRUE(is_news([](Telemetry& next) { next.scene_json = "{}"; }));
   EXPECT_TRUE(is_news([](Telemetry& next) { next.percepts = std::make_shared<const Percepts>(); }));
   EXPECT_TRUE(is_news([](Telemetry& next) { next.say_log = {{0, "a"}}; }));
