@@ -1,77 +1,97 @@
 #include "vm/json_tree.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "vm/json_scanner.h"
 #include "vm/numbers.h"
 
 namespace mirada::vm {
 
-/// Hears what the parser finds and lines it up.
-class JsonTree::Builder final : public nlohmann::json_sax<nlohmann::json> {
+/// Lines up what the scanner finds.
+class JsonTree::Builder {
  public:
-  explicit Builder(JsonTree& out) : out_(out) {}
-
-  bool null() override { return add({}); }
-  bool boolean(bool truth) override { return add({.number = truth ? 1.0 : 0.0, .kind = Kind::truth}); }
-  bool number_integer(number_integer_t number) override { return add_number(static_cast<double>(number)); }
-  bool number_unsigned(number_unsigned_t number) override { return add_number(static_cast<double>(number)); }
-  bool number_float(number_float_t number, const string_t&) override { return add_number(number); }
-  bool string(string_t& text) override { return add({.text = keep(text), .kind = Kind::text}); }
-  bool binary(binary_t&) override { return false; }
-  bool start_object(std::size_t) override { return open(Kind::object); }
-  bool end_object() override { return close(); }
-  bool start_array(std::size_t) override { return open(Kind::array); }
-  bool end_array() override { return close(); }
-  bool key(string_t& name) override {
-    key_ = keep(name);
-    return true;
+  Builder(std::string_view text, JsonTree& out) : scan_(text), out_(out) {
+    out_.letters_.reserve(text.size());
   }
-  bool parse_error(std::size_t byte, const std::string&, const nlohmann::json::exception& error) override {
-    constexpr int kNumberTooLarge = 406;
-    out_.broken_ = Broken{byte, error.id == kNumberTooLarge};
-    return false;
+
+  void build() {
+    while (!scan_.broken() && (wants_value_ || !open_.empty())) {
+      wants_value_ ? value() : follow();
+    }
+    if (!scan_.broken() && !scan_.at_end()) scan_.fail();
+    if (!scan_.broken()) return;
+    out_.broken_ = Broken{scan_.place(), scan_.number_too_large()};
+    out_.nodes_.clear();
   }
 
  private:
   using Kind = JsonValue::Kind;
 
-  Letters keep(const std::string& text) {
-    const Letters letters{static_cast<std::uint32_t>(out_.letters_.size()),
-                          static_cast<std::uint32_t>(text.size())};
-    out_.letters_ += text;
-    return letters;
+  void value() {
+    const char first = scan_.peek();
+    if (first == '{') return open(Kind::object);
+    if (first == '[') return open(Kind::array);
+    wants_value_ = false;
+    if (scan_.take('"')) return add({.text = letters(), .kind = Kind::text});
+    if (first == 't') return word("true", {.number = 1, .kind = Kind::truth});
+    if (first == 'f') return word("false", {.kind = Kind::truth});
+    if (first == 'n') return word("null", {});
+    add({.number = scan_.number(), .kind = Kind::number});
   }
-  bool add_number(double number) { return add({.number = number, .kind = Kind::number}); }
-  bool add(Node node) {
+  /// What comes behind a value in a list or an object.
+  void follow() {
+    const bool object = out_.nodes_[open_.back()].kind == Kind::object;
+    if (scan_.take(object ? '}' : ']')) return close();
+    if (!scan_.take(',')) return scan_.fail();
+    if (object) key();
+    wants_value_ = true;
+  }
+  void key() {
+    if (!scan_.take('"')) return scan_.fail();
+    key_ = letters();
+    if (!scan_.take(':')) scan_.fail();
+  }
+  Letters letters() {
+    const auto first = static_cast<std::uint32_t>(out_.letters_.size());
+    return {first, static_cast<std::uint32_t>(scan_.text(out_.letters_))};
+  }
+  void word(std::string_view wanted, Node node) {
+    scan_.word(wanted);
+    add(node);
+  }
+  void add(Node node) {
     node.key = std::exchange(key_, {});
     out_.nodes_.push_back(node);
     if (!open_.empty()) ++out_.nodes_[open_.back()].size;
-    return true;
   }
-  bool open(Kind kind) {
+  void open(Kind kind) {
+    const bool object = kind == Kind::object;
     add({.kind = kind});
     open_.push_back(static_cast<std::uint32_t>(out_.nodes_.size()) - 1);
-    return true;
+    scan_.take(object ? '{' : '[');
+    if (scan_.take(object ? '}' : ']')) return close();
+    if (object) key();
   }
-  bool close() {
+  void close() {
     const std::uint32_t index = open_.back();
     open_.pop_back();
     out_.nodes_[index].span = static_cast<std::uint32_t>(out_.nodes_.size()) - index;
-    return true;
+    wants_value_ = false;
   }
 
+  JsonScanner scan_;
   JsonTree& out_;
   Letters key_{};
   std::vector<std::uint32_t> open_;
+  bool wants_value_ = true;
 };
 
 JsonTree JsonTree::parse(std::string_view text) {
   JsonTree out;
-  out.letters_.reserve(text.size());
-  Builder builder(out);
-  nlohmann::json::sax_parse(text, &builder);
+  Builder(text, out).build();
   return out;
 }
 

@@ -1,6 +1,7 @@
 #include "vm/json_tree.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace mirada::vm {
 namespace {
@@ -37,6 +38,75 @@ TEST(JsonTree, OfTwoFieldsWithOneNameTheLastCounts) {
   ASSERT_EQ(fields.size(), 2U);
   EXPECT_EQ(fields[0].number(), 4);
   EXPECT_EQ(fields[1].number(), 3);
+}
+
+TEST(JsonTree, ReadsEveryWayToWriteALetter) {
+  const JsonTree tree =
+      JsonTree::parse(R"(["\"\\\/\b\f\n\r\t","\u00e9\uD83D\uDE00","é😀","\ud83d!","\ude00\u0041"])");
+  ASSERT_FALSE(tree.broken());
+  EXPECT_EQ(tree.root()[0].text(), "\"\\/\b\f\n\r\t");
+  EXPECT_EQ(tree.root()[1].text(), "é😀");
+  EXPECT_EQ(tree.root()[2].text(), "é😀");
+  EXPECT_EQ(tree.root()[3].text(), "\ufffd!");
+  EXPECT_EQ(tree.root()[4].text(), "\ufffdA");
+}
+
+TEST(JsonTree, ReadsNumbersAndSpaces) {
+  const JsonTree tree = JsonTree::parse(" [ -0 , 0.5,\n12e-1\t,1E+3, 1e-999 ] \r\n");
+  ASSERT_FALSE(tree.broken());
+  const double wanted[] = {0, 0.5, 1.2, 1000, 0};
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(tree.root()[i].number(), wanted[i]) << i;
+}
+
+/// The parser that the rest of the house uses takes and refuses the same.
+TEST(JsonTree, RefusesWhatIsNoJson) {
+  for (const char* text : {"",
+                           " ",
+                           "{",
+                           "[",
+                           "]",
+                           "[1",
+                           "[1,",
+                           "[1,]",
+                           "[,1]",
+                           "{\"a\"}",
+                           "{\"a\":}",
+                           "{\"a\":1,}",
+                           "{a:1}",
+                           "[1 2]",
+                           "{\"a\":1]",
+                           "[1}",
+                           "01",
+                           "1.",
+                           ".5",
+                           "+1",
+                           "-",
+                           "1e",
+                           "1e+",
+                           "0x1",
+                           "nul",
+                           "truE",
+                           "\"",
+                           "\"a",
+                           "\"\\\"",
+                           "\"\\x\"",
+                           "\"\\u12g4\"",
+                           "\"\n\"",
+                           "\"\xff\"",
+                           "\"\xc0\x80\"",
+                           "\"\xed\xa0\x80\"",
+                           "\"\xf4\x90\x80\x80\"",
+                           "\"\xe2\x82\"",
+                           "1 1",
+                           "[] []",
+                           "NaN",
+                           "Infinity",
+                           "'a'",
+                           "/**/1"}) {
+    EXPECT_TRUE(JsonTree::parse(text).broken()) << text;
+    EXPECT_FALSE(nlohmann::json::accept(text)) << text;
+  }
+  EXPECT_TRUE(JsonTree::parse(std::string_view("1\0", 2)).broken());
 }
 
 TEST(JsonTree, SaysWhereATextIsNoJson) {
