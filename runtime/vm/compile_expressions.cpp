@@ -5,6 +5,7 @@
 #include "vm/digits.h"
 #include "vm/literal.h"
 #include "vm/numbers.h"
+#include "vm/value.h"
 
 namespace mirada::vm {
 namespace {
@@ -258,7 +259,7 @@ Operand Compiler::number_input(const Block& block, std::string_view name) {
   const BlockIndex at = content(block, name);
   if (at == kNone) return {number_constant(0), Kind::number, type::number};
   if (const Field* field = literal_field(program_.at(at))) {
-    const double number = string_to_number(field->value);
+    const double number = number_of(field->value);
     return {number_constant(number == number ? number : 0), Kind::number, type::number};
   }
   return as_number(expression(at));

@@ -22,6 +22,39 @@ double with_high_word(double x, std::uint32_t high) {
                                (std::uint64_t{high} << 32));
 }
 
+/// What exp(r) needs of t = r^2.
+double exponential_series(double t) {
+  return t * (1.66666666666666019037e-01 +
+              t * (-2.77777777770155933842e-03 +
+                   t * (6.61375632143793436117e-05 +
+                        t * (-1.65339022054652515390e-06 + t * 4.13813679705723846039e-08))));
+}
+
+double upper_half(double x) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & ~0xFFFFFFFFULL);
+}
+
+/// 2^(high + low), as V8 works it out: the divisor holds a term that Sun's has outside, which costs the last
+/// bit here and there.
+double power_of_two(double high, double low) {
+  constexpr double kLn2 = 6.93147180559945286227e-01;
+  constexpr double kLn2Upper = 6.93147182464599609375e-01;
+  constexpr double kLn2Rest = -1.90465429995776804525e-09;
+  const double size = std::fabs(low + high);
+  const double whole = upper_half(size) > 0.5 ? std::floor(size + 0.5) : 0;
+  const double n = std::copysign(whole, low + high);
+  high -= n;
+  const double t = upper_half(low + high);
+  const double u = t * kLn2Upper;
+  const double v = (low - (t - high)) * kLn2 + t * kLn2Rest;
+  const double z = u + v;
+  const double w = v - (z - u);
+  const double zz = z * z;
+  const double q = z - exponential_series(zz);
+  const double r = (z * q) / ((q - 2.0) - (w + z * w));
+  return std::ldexp(1.0 - (r - z), static_cast<int>(n));
+}
+
 /// The series of log(1 + f) beyond f - f^2 / 2, for s = f / (2 + f).
 double log_series(double s) {
   const double z = s * s;
@@ -89,12 +122,27 @@ double exponential(double x) {
   }
   const double r = upper - lower;
   const double t = r * r;
-  const double c = r - t * (1.66666666666666019037e-01 +
-                            t * (-2.77777777770155933842e-03 +
-                                 t * (6.61375632143793436117e-05 +
-                                      t * (-1.65339022054652515390e-06 + t * 4.13813679705723846039e-08))));
+  const double c = r - exponential_series(t);
   if (k == 0) return 1.0 - ((r * c) / (c - 2.0) - r);
   return std::ldexp(1.0 - ((lower - (r * c) / (2.0 - c)) - upper), k);
+}
+
+double power_of_ten(double x) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  // The binary logarithm of 10 in two parts.
+  constexpr double kLog2Of10High = 3.3219280242919921875;
+  constexpr double kLog2Of10Low = 7.0595370160369406338e-8;
+  if (x != x) return x;
+  if (x == 1) return 10;
+  if (x == 2) return 100;
+  if (x == 0.5) return std::sqrt(10.0);
+  if (x == -1) return 0.1;
+  if (x > 309) return kInfinity;
+  if (x < -324) return 0;
+  const double upper = upper_half(x);
+  const double high = upper * kLog2Of10High;
+  const double low = (x - upper) * kLog2Of10High + x * kLog2Of10Low;
+  return power_of_two(high, low);
 }
 
 }  // namespace mirada::vm

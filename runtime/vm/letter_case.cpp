@@ -1,7 +1,9 @@
 #include "vm/letter_case.h"
 
 #include <algorithm>
+#include <bitset>
 #include <iterator>
+#include <vector>
 
 namespace mirada::vm {
 namespace {
@@ -75,19 +77,102 @@ constexpr CaseRange kRanges[] = {
     {0xA7F5, 0xA7F5, 1, 1},      {0xFF21, 0xFF3A, 1, 32},
 };
 
+constexpr char16_t kDottedI = 0x0130;
+constexpr char16_t kSigma = 0x03A3;
+constexpr char16_t kFinalSigma = 0x03C2;
+
+/// Capitals beyond the first 65,536 letters: high half, low halves first to last, and what makes the low half
+/// of the small letter.
+struct PairRange {
+  char16_t high;
+  char16_t first;
+  char16_t last;
+  int delta;
+};
+constexpr PairRange kPairs[] = {
+    {0xD801, 0xDC00, 0xDC27, 40}, {0xD801, 0xDCB0, 0xDCD3, 40}, {0xD801, 0xDD70, 0xDD7A, 39},
+    {0xD801, 0xDD7C, 0xDD8A, 39}, {0xD801, 0xDD8C, 0xDD92, 39}, {0xD801, 0xDD94, 0xDD95, 39},
+    {0xD803, 0xDC80, 0xDCB2, 64}, {0xD806, 0xDCA0, 0xDCBF, 32}, {0xD81B, 0xDE40, 0xDE5F, 32},
+    {0xD83A, 0xDD00, 0xDD21, 34},
+};
+
+/// Every unit's lower case, and which units have a case at all.
+struct CaseTable {
+  CaseTable() : lower(0x10000) {
+    for (std::size_t unit = 0; unit < lower.size(); ++unit) lower[unit] = static_cast<char16_t>(unit);
+    add({'A', 'Z', 1, 32});
+    for (const CaseRange& range : kRanges) add(range);
+    cased[kDottedI] = cased[kFinalSigma] = cased[0x00DF] = cased[0x0131] = true;
+  }
+  void add(const CaseRange& range) {
+    for (int unit = range.first; unit <= range.last; unit += range.stride) {
+      lower[static_cast<std::size_t>(unit)] = static_cast<char16_t>(unit + range.delta);
+      cased[static_cast<std::size_t>(unit)] = cased[static_cast<std::size_t>(unit + range.delta)] = true;
+    }
+  }
+  std::vector<char16_t> lower;
+  std::bitset<0x10000> cased;
+};
+
+const CaseTable& table() {
+  static const CaseTable kTable;
+  return kTable;
+}
+
+/// What may stand within a word without being one of its letters.
+bool is_ignorable(char16_t unit) {
+  constexpr std::u16string_view kMarks = u"'.:^`\u00A8\u00AD\u00AF\u00B4\u00B7\u00B8\u2018\u2019\u2024\u2027";
+  return (unit >= 0x0300 && unit <= 0x036F) || kMarks.find(unit) != std::u16string_view::npos;
+}
+
+/// Whether the sigma at `place` is the last letter of a word of more than one.
+bool ends_a_word(std::u16string_view text, std::size_t place) {
+  std::size_t before = place;
+  while (before > 0 && is_ignorable(text[before - 1])) --before;
+  std::size_t behind = place + 1;
+  while (behind < text.size() && is_ignorable(text[behind])) ++behind;
+  return before > 0 && table().cased[text[before - 1]] &&
+         !(behind < text.size() && table().cased[text[behind]]);
+}
+
+char16_t lower_half(char16_t high, char16_t low) {
+  for (const PairRange& range : kPairs) {
+    if (high == range.high && low >= range.first && low <= range.last) {
+      return static_cast<char16_t>(low + range.delta);
+    }
+  }
+  return low;
+}
+
 }  // namespace
 
 char16_t lower_case(char16_t unit) {
   if (unit < 0x80) return unit >= 'A' && unit <= 'Z' ? static_cast<char16_t>(unit + 32) : unit;
-  const auto* next = std::upper_bound(std::begin(kRanges), std::end(kRanges), unit,
-                                      [](char16_t u, const CaseRange& range) { return u < range.first; });
-  // Two ranges may interleave (stride 2), so the one before the nearest can hold the unit too.
-  for (int back = 0; back < 2 && next != std::begin(kRanges); ++back) {
-    --next;
-    if (unit <= next->last && (unit - next->first) % next->stride == 0)
-      return static_cast<char16_t>(unit + next->delta);
+  return table().lower[unit];
+}
+
+bool lowers_alone(char16_t unit) {
+  if (unit < kDottedI) return true;
+  if (unit == kDottedI || unit == kSigma) return false;
+  return unit < 0xD800 || unit >= 0xDC00;
+}
+
+std::u16string lower_case(std::u16string_view text) {
+  std::u16string out;
+  out.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char16_t before = i > 0 ? text[i - 1] : u'\0';
+    if (text[i] == kDottedI) {
+      out += u"i\u0307";
+    } else if (text[i] == kSigma && ends_a_word(text, i)) {
+      out += kFinalSigma;
+    } else if (text[i] >= 0xDC00 && text[i] < 0xE000) {
+      out += lower_half(before, text[i]);
+    } else {
+      out += lower_case(text[i]);
+    }
   }
-  return unit;
+  return out;
 }
 
 }  // namespace mirada::vm

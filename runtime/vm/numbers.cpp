@@ -198,7 +198,7 @@ double apply_math(MathFn fn, double x) {
     case MathFn::exp:
       return exponential(x);
     case MathFn::pow10:
-      return std::pow(10.0, x);
+      return power_of_ten(x);
     case MathFn::count:
       break;
   }

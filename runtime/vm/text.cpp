@@ -12,10 +12,8 @@ namespace {
 
 constexpr std::uint32_t kLettersUnasked = 1 << 16;
 
-std::u16string lowered(const Text& text) {
-  std::u16string out(text.length, u'\0');
-  for (std::uint32_t i = 0; i < text.length; ++i) out[i] = lower_case(text.at(i));
-  return out;
+bool lowers_by_unit(const Text& text) {
+  return !text.wide || std::all_of(text.units(), text.units() + text.length, lowers_alone);
 }
 
 }  // namespace
@@ -47,7 +45,6 @@ Value letter_of(Heap& heap, const Text& text, double place) {
 
 std::optional<bool> contains_text(const Text& whole, const Text& part, const std::atomic<bool>& give_up) {
   if (part.length == 0) return true;
-  if (part.length > whole.length) return false;
   const auto tired = [&](std::uint32_t i) { return i % kLettersUnasked == 0 && give_up.load(); };
   // Knuth, Morris, Pratt: border[i] is the length of the longest start of `needle` that ends before letter i.
   const std::u16string needle = lowered(part);
@@ -58,9 +55,11 @@ std::optional<bool> contains_text(const Text& whole, const Text& part, const std
     if (needle[i] == needle[matched]) ++matched;
     border[i + 1] = matched;
   }
-  for (std::uint32_t i = 0, matched = 0; i < whole.length; ++i) {
+  const std::u16string changed = lowers_by_unit(whole) ? std::u16string() : lowered(whole);
+  const std::uint32_t length = changed.empty() ? whole.length : static_cast<std::uint32_t>(changed.size());
+  for (std::uint32_t i = 0, matched = 0; i < length; ++i) {
     if (tired(i)) return std::nullopt;
-    const char16_t letter = lower_case(whole.at(i));
+    const char16_t letter = changed.empty() ? lower_case(whole.at(i)) : changed[i];
     while (matched > 0 && letter != needle[matched]) matched = border[matched];
     if (letter == needle[matched]) ++matched;
     if (matched == needle.size()) return true;

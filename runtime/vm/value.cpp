@@ -80,6 +80,7 @@ void append_utf8(std::string& out, char32_t point) {
 double compare_texts(const Text& a, const Text& b) {
   const std::uint32_t common = std::min(a.length, b.length);
   for (std::uint32_t i = 0; i < common; ++i) {
+    if (!lowers_alone(a.at(i)) || !lowers_alone(b.at(i))) return lowered(a).compare(lowered(b));
     const char16_t x = lower_case(a.at(i));
     const char16_t y = lower_case(b.at(i));
     if (x != y) return x < y ? -1 : 1;
@@ -122,6 +123,16 @@ Value make_text(Heap& heap, std::u16string_view units) {
   return Value(text);
 }
 
+std::u16string lowered(const Text& text) {
+  std::u16string out(text.length, u'\0');
+  bool alone = true;
+  for (std::uint32_t i = 0; i < text.length; ++i) {
+    out[i] = lower_case(text.at(i));
+    alone = alone && lowers_alone(text.at(i));
+  }
+  return alone ? out : lower_case(std::u16string_view(text.units(), text.length));
+}
+
 std::u16string utf16_of(std::string_view utf8) {
   std::u16string out;
   for (std::size_t i = 0; i < utf8.size();) {
@@ -150,6 +161,11 @@ std::string to_utf8(const Text& text) {
     }
   }
   return out;
+}
+
+double number_of(std::string_view utf8) {
+  Heap scratch;
+  return reading_of(*make_text(scratch, utf8).text()).number;
 }
 
 double to_number(const Value& value) {

@@ -20,6 +20,14 @@ TEST(ContainsText, FindsPartsInWhateverCase) {
   EXPECT_EQ(holds("\u00d1and\u00fa", "\u00f1AND\u00da"), true);
 }
 
+TEST(ContainsText, CaseIsJavaScripts) {
+  EXPECT_EQ(holds("\u0130stanbul", "i\u0307s"), true);
+  EXPECT_EQ(holds("\u0130", "i"), true);
+  EXPECT_EQ(holds("\u039b\u039f\u0393\u039f\u03a3 A", "\u03bf\u03c2 a"), true);
+  EXPECT_EQ(holds("\u03a3\u0391", "\u03c2"), false);
+  EXPECT_EQ(holds("\U00010400", "\U00010428"), true);
+}
+
 TEST(ContainsText, PartsThatBeginLikeThemselvesAreFound) {
   EXPECT_EQ(holds("aabaabaaab", "aabaaab"), true);
   EXPECT_EQ(holds("abababac", "ababac"), true);

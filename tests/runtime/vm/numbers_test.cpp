@@ -40,6 +40,19 @@ TEST(Numbers, HalvesAreRoundedUp) {
   EXPECT_EQ(round_half_up(0.49999999999999994), 0);
 }
 
+/// Recorded from V8.
+TEST(Numbers, PowersOfTenAreV8sToTheLastBit) {
+  EXPECT_EQ(apply_math(MathFn::pow10, 2.5), 316.2277660168379);
+  EXPECT_EQ(apply_math(MathFn::pow10, 0.1), 1.2589254117941673);
+  EXPECT_EQ(apply_math(MathFn::pow10, -4), 0.00009999999999999999);
+  EXPECT_EQ(apply_math(MathFn::pow10, -28.1), 7.943282347242789e-29);
+  EXPECT_EQ(apply_math(MathFn::pow10, 308), 1e308);
+  EXPECT_EQ(apply_math(MathFn::pow10, 0), 1);
+  EXPECT_EQ(apply_math(MathFn::pow10, -1), 0.1);
+  EXPECT_EQ(apply_math(MathFn::pow10, 309), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(apply_math(MathFn::pow10, -324), 0);
+}
+
 TEST(BlockCatalog, RefusesAnOpcodeTwice) {
   BlockCatalog catalog;
   BlockDef def;
