@@ -30,10 +30,6 @@ double exponential_series(double t) {
                         t * (-1.65339022054652515390e-06 + t * 4.13813679705723846039e-08))));
 }
 
-double upper_half(double x) {
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & ~0xFFFFFFFFULL);
-}
-
 /// 2^(high + low), as V8 works it out: the divisor holds a term that Sun's has outside, which costs the last
 /// bit here and there.
 double power_of_two(double high, double low) {

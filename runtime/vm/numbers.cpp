@@ -186,11 +186,11 @@ double apply_math(MathFn fn, double x) {
     case MathFn::tan:
       return tangent(x);
     case MathFn::asin:
-      return std::asin(x) * 180.0 / kPi;
+      return arc_sine(x) * 180.0 / kPi;
     case MathFn::acos:
-      return std::acos(x) * 180.0 / kPi;
+      return arc_cosine(x) * 180.0 / kPi;
     case MathFn::atan:
-      return std::atan(x) * 180.0 / kPi;
+      return arc_tangent(x) * 180.0 / kPi;
     case MathFn::ln:
       return logarithm(x);
     case MathFn::log:

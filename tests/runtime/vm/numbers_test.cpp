@@ -53,6 +53,20 @@ TEST(Numbers, PowersOfTenAreV8sToTheLastBit) {
   EXPECT_EQ(apply_math(MathFn::pow10, -324), 0);
 }
 
+/// Recorded from V8.
+TEST(Numbers, ArcsAreV8sToTheLastBit) {
+  EXPECT_EQ(apply_math(MathFn::asin, -0.5635159374214709), -34.29929869752513);
+  EXPECT_EQ(apply_math(MathFn::asin, 0.98), 78.52165904546642);
+  EXPECT_EQ(apply_math(MathFn::acos, -0.48513307655230165), 119.0211915892418);
+  EXPECT_EQ(apply_math(MathFn::acos, 0.46326456032693386), 62.402034923009424);
+  EXPECT_EQ(apply_math(MathFn::acos, -0.06344384513795376), 93.63750758621754);
+  EXPECT_EQ(apply_math(MathFn::atan, 7.134407726116478), 82.02107252715398);
+  EXPECT_EQ(apply_math(MathFn::atan, -0.6853324119001627), -34.424104535111866);
+  EXPECT_EQ(apply_math(MathFn::atan, 228), 89.74870433279106);
+  EXPECT_EQ(apply_math(MathFn::atan, -std::numeric_limits<double>::infinity()), -90);
+  EXPECT_TRUE(std::isnan(apply_math(MathFn::asin, 1.5)));
+}
+
 TEST(BlockCatalog, RefusesAnOpcodeTwice) {
   BlockCatalog catalog;
   BlockDef def;
