@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "vm/compiler.h"
 #include "vm/literal.h"
 
@@ -61,6 +63,8 @@ bool Compiler::scratch_statement(const Block& block) {
     build_->emit(Op::clone, name.reg);
     return build_->free(name), true;
   }
+  if (opcode == "looks_gotofrontback") return go_to_layer(block), true;
+  if (opcode == "looks_goforwardbackwardlayers") return go_by_layers(block), true;
   if (!opcode.starts_with("looks_")) return false;
   const Operand text = value_input(block, "MESSAGE");
   build_->emit(Op::say, text.reg);
@@ -70,6 +74,24 @@ bool Compiler::scratch_statement(const Block& block) {
   build_->emit_end(Op::wait, seconds.reg);
   build_->free(seconds);
   return build_->emit(Op::say, text_constant("")), true;
+}
+
+/// Sprites lie over each other even where nobody sees them: the topmost one's scripts start first.
+void Compiler::go_to_layer(const Block& block) {
+  const Field* where = block.field("FRONT_BACK");
+  constexpr double kEnd = std::numeric_limits<double>::infinity();
+  build_->emit(Op::layer, number_constant(where && where->value == "front" ? kEnd : -kEnd));
+}
+
+void Compiler::go_by_layers(const Block& block) {
+  const Field* where = block.field("FORWARD_BACKWARD");
+  const Operand given = number_input(block, "NUM");
+  build_->free(given);
+  const bool up = where && where->value == "forward";
+  const Operand layers =
+      emit_to(Kind::number, type::number, up ? Op::add : Op::subtract, number_constant(0), given.reg);
+  build_->emit(Op::layer, layers.reg);
+  build_->free(layers);
 }
 
 void Compiler::mouth(const Block& block, std::string_view name) {

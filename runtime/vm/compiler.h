@@ -48,6 +48,8 @@ class Compiler {
   bool scratch_statement(const Block& block);
   bool data_statement(const Block& block);
   bool list_statement(const Block& block);
+  void go_to_layer(const Block& block);
+  void go_by_layers(const Block& block);
   void mouth(const Block& block, std::string_view name);
   void end_of_turn(Label& check);
   void repeat(const Block& block);

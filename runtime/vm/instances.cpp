@@ -1,6 +1,7 @@
 // Sprites of imported projects and their clones. A program of ours has one nameless sprite that is never
 // cloned.
 #include <algorithm>
+#include <cmath>
 
 #include "vm/machine_impl.h"
 
@@ -69,6 +70,17 @@ void Machine::Impl::clone(Thread& thread, const Value& name) {
   for (const Script& script : code->scripts) {
     if (script.kind == HatKind::clone && script.sprite == copy->sprite) start_thread(script, copy, false);
   }
+}
+
+/// Up for positive numbers; the stage stays below all.
+void Machine::Impl::move_by_layers(Instance& instance, double layers) {
+  const bool stage = code->program.sprites[static_cast<std::size_t>(instance.sprite)].is_stage;
+  if (stage || std::isnan(layers)) return;
+  const auto it = std::find(order.begin(), order.end(), &instance);
+  const double top = static_cast<double>(order.size()) - 1;
+  const double place = std::clamp(static_cast<double>(it - order.begin()) + layers, 1.0, top);
+  order.erase(it);
+  order.insert(order.begin() + static_cast<std::ptrdiff_t>(place), &instance);
 }
 
 void Machine::Impl::delete_clone(Thread& thread) {

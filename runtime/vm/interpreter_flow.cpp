@@ -323,6 +323,11 @@ HANDLER(clone) {
   return at + 1;
 }
 
+HANDLER(layer) {
+  t.machine->move_by_layers(*t.thread->instance, A.n);
+  return at + 1;
+}
+
 HANDLER(delete_clone) {
   t.fuel -= at->executions;
   if (!t.thread->instance->is_clone) return at + 1;

@@ -100,10 +100,12 @@ Micros Machine::Impl::next_wake() const {
   return edges ? std::min(wake, now + kLookAgain) : wake;
 }
 
-Micros Machine::Impl::next_timer() const {
+Micros Machine::Impl::next_timer() const { return mid_turn ? host.now() + 1 : next_sleeper(); }
+
+/// When a script that waits has slept enough, later than now; INT64_MAX: none.
+Micros Machine::Impl::next_sleeper() const {
   constexpr Micros kNever = std::numeric_limits<Micros>::max();
   const Micros now = host.now();
-  if (mid_turn) return now + 1;
   if (sleepers.empty()) return kNever;
   if (std::get<0>(sleepers.top()) > now) return std::get<0>(sleepers.top());
   // On top are those that only wait for the next tick.

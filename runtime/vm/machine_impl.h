@@ -93,6 +93,7 @@ struct Machine::Impl {
   void make_instances();
   Instance* make_instance(std::int32_t sprite, const Instance* original);
   void clone(Thread& thread, const Value& name);
+  void move_by_layers(Instance& instance, double layers);
   void delete_clone(Thread& thread);
   void delete_clones();
   void forget(Instance& gone);
@@ -117,6 +118,7 @@ struct Machine::Impl {
   void set_slot(Slot& slot, const GlobalInit& init);
   Micros next_wake() const;
   Micros next_timer() const;
+  Micros next_sleeper() const;
   bool out_of_memory() const { return heap.used + list_bytes > limits.max_total_bytes; }
 
   std::shared_ptr<const Code> code;

@@ -1,5 +1,6 @@
 // The blocks of one target of a Scratch project.
 #include <algorithm>
+#include <cctype>
 
 #include "vm/messages.h"
 #include "vm/sb3_reader.h"
@@ -14,6 +15,11 @@ constexpr double kListPrimitive = 13;
 constexpr double kFirstPrimitive = 4;
 
 bool is_literal_opcode(const std::string& opcode) { return opcode == "text" || opcode.starts_with("math_"); }
+
+std::string lower_ascii(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
 
 /// JavaScript goes through keys that are whole numbers first, from the smallest.
 bool is_index(std::string_view key) {
@@ -155,6 +161,11 @@ void ProjectReader::settle(Block& block) {
       !is_literal_opcode(block.opcode)) {
     block.opcode = "text";
     block.fields[0].name = "TEXT";
+  }
+  // Words that Scratch takes in any case.
+  for (Field& field : block.fields) {
+    if (field.name == "OPERATOR") field.value = lower_ascii(field.value);
+    if (field.name == "WHENGREATERTHANMENU" && lower_ascii(field.value) == "timer") field.value = "TIMER";
   }
   const Field* what = block.field("WHENGREATERTHANMENU");
   if (block.opcode == "event_whengreaterthan" && what && what->value != "TIMER") {

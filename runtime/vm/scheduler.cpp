@@ -15,7 +15,7 @@ void Machine::Impl::tick(bool back_to_back) {
   if (limits.wall) {
     tick_start = limits.wall->now();
     tick_end = tick_start + limits.tick_time;
-    end_tick_at(next_timer());
+    end_tick_at(next_sleeper());
   }
   if (started) look_at_edges();
   if (held()) {

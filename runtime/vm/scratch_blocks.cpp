@@ -35,6 +35,8 @@ std::shared_ptr<const BlockCatalog> scratch_blocks() {
   add("control_get_counter", Shape::reporter, {});
   for (const char* opcode : {"control_incr_counter", "control_clear_counter"})
     add(opcode, Shape::command, {});
+  add("looks_gotofrontback", Shape::command, {});
+  add("looks_goforwardbackwardlayers", Shape::command, {"NUM"});
   for (const char* opcode : {"data_showvariable", "data_hidevariable", "data_showlist", "data_hidelist"}) {
     add(opcode, Shape::command, {});
   }

@@ -77,15 +77,28 @@ void append_utf8(std::string& out, char32_t point) {
   for (int k = more - 1; k >= 0; --k) out += static_cast<char>(0x80 | ((point >> (6 * k)) & 0x3F));
 }
 
+double compare_numbers(std::uint32_t a, std::uint32_t b) { return a == b ? 0 : a < b ? -1 : 1; }
+
+double compare_ascii(std::string_view a, std::string_view b) {
+  const std::size_t common = std::min(a.size(), b.size());
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c + 0; };
+  for (std::size_t i = 0; i < common; ++i) {
+    if (a[i] == b[i]) continue;
+    if (const int x = lower(a[i]), y = lower(b[i]); x != y) return x < y ? -1 : 1;
+  }
+  return compare_numbers(static_cast<std::uint32_t>(a.size()), static_cast<std::uint32_t>(b.size()));
+}
+
 double compare_texts(const Text& a, const Text& b) {
+  if (!a.wide && !b.wide) return compare_ascii(a.ascii_view(), b.ascii_view());
   const std::uint32_t common = std::min(a.length, b.length);
   for (std::uint32_t i = 0; i < common; ++i) {
-    if (!lowers_alone(a.at(i)) || !lowers_alone(b.at(i))) return lowered(a).compare(lowered(b));
-    const char16_t x = lower_case(a.at(i));
-    const char16_t y = lower_case(b.at(i));
-    if (x != y) return x < y ? -1 : 1;
+    const char16_t x = a.at(i);
+    const char16_t y = b.at(i);
+    if (!lowers_alone(x) || !lowers_alone(y)) return lowered(a).compare(lowered(b));
+    if (x != y && lower_case(x) != lower_case(y)) return lower_case(x) < lower_case(y) ? -1 : 1;
   }
-  return a.length == b.length ? 0 : a.length < b.length ? -1 : 1;
+  return compare_numbers(a.length, b.length);
 }
 
 }  // namespace

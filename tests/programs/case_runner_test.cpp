@@ -220,7 +220,9 @@ TEST(Cases, EveryStagelessOpcodeOfScratchIsKnownAndHasAProgram) {
                                       "looks_say",
                                       "looks_think",
                                       "looks_sayforsecs",
-                                      "looks_thinkforsecs"};
+                                      "looks_thinkforsecs",
+                                      "looks_gotofrontback",
+                                      "looks_goforwardbackwardlayers"};
   for (const char* opcode : kOpcodes) {
     EXPECT_TRUE(core_catalog().find(opcode) || scratch->find(opcode)) << opcode;
     EXPECT_TRUE(opcodes.contains(opcode)) << opcode;

@@ -75,6 +75,9 @@ TEST(LiveLimits, AWarpTurnCutShortGoesOnAtOnce) {
   Running run(program({hat({all_at_once(forever(change("i")))})}, {"i"}), live_limits(wall));
   run.machine->tick();
   EXPECT_EQ(run.machine->next_timer(), run.host.clock.now() + 1);
+  const std::uint64_t first = run.machine->block_executions();
+  run.machine->tick();
+  EXPECT_GT(run.machine->block_executions(), first + first / 2);
 }
 
 }  // namespace

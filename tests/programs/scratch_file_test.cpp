@@ -167,6 +167,23 @@ TEST(ScratchFile, SocketsAreReadInEveryFormThatWritersUse) {
   EXPECT_TRUE(run.machine->lists(10).at("L")[0].is_number);
 }
 
+/// Scratch reads these words in whatever case; projects that came from Scratch 2 have them small.
+TEST(ScratchFile, WordsOfMenusAreReadInAnyCase) {
+  const std::string text =
+      project(R"("t":{"opcode":"event_whengreaterthan","next":"u","inputs":{"VALUE":[1,[4,"0"]]},"fields":{)"
+              R"("WHENGREATERTHANMENU":["timer"]},"shadow":false,"topLevel":true})" +
+              add("u", R"([1,[10,"timer"]])") + "," + flag("a", "w") +
+              R"(,"w":{"opcode":"control_wait","next":"b","inputs":{"DURATION":[1,[5,"0.1"]]},"fields":{})"
+              R"(,"shadow":false,"topLevel":false})" +
+              add("b", R"([3,"m",[10,""]])") +
+              R"(,"m":{"opcode":"operator_mathop","next":null,"inputs":{"NUM":[1,[4,"2.5"]]},"fields":{)"
+              R"("OPERATOR":["FLOOR"]},"shadow":false,"topLevel":false})");
+  Running run{std::string_view(text)};
+  EXPECT_TRUE(run.loaded.warnings.empty());
+  run.finish(1, false);
+  EXPECT_EQ(run.list("L"), "timer 2");
+}
+
 TEST(ScratchFile, SpritesMayUseTheSameIdsAndNames) {
   const auto cat = [](const std::string& name) {
     return R"(,{"isStage":false,"name":")" + name + R"(","variables":{"vn":["n",0]},"lists":{},"blocks":{)" +
