@@ -31,11 +31,19 @@ const FacePercept* nth_face(const FacesPercept* faces, double n) {
   return &faces->faces[static_cast<std::size_t>(n) - 1];
 }
 
+/// Why nobody can be recognised, as a warning on the block.
+void explain_names(robot::Robot& robot, const NativeCall& call) {
+  explain(robot, call);
+  if (robot.known_faces() == nullptr || !robot.known_faces()->allowed())
+    robot.note(call.block(), make_fault(call.block(), messages::faces_not_allowed));
+}
+
 NativeResult face_value(robot::Robot& robot, NativeCall& call) {
   explain(robot, call);
   const FacesPercept* faces = robot.faces();
   const FacePercept* face = nth_face(faces, call.number(0));
   const std::string what = call.text(1);
+  if (what == "name") explain_names(robot, call);
   if (what == "name") return NativeResult::of(face == nullptr ? std::string() : face->name);
   if (face == nullptr) return NativeResult::of(0.0);
   const double across = kPictureWidth / faces->picture_width_px;
@@ -48,6 +56,53 @@ NativeResult face_value(robot::Robot& robot, NativeCall& call) {
   if (what == "distance") return tenth(face->distance_m * 100);
   if (what == "error") return tenth(2 * face->sigma_m * 100);
   return NativeResult::of(static_cast<double>(face->id));
+}
+
+/// The name of the first face; the child's own words for somebody it does not know; "" with no face, and
+/// while it is not sure.
+NativeResult who_is_it(robot::Robot& robot, NativeCall& call) {
+  explain_names(robot, call);
+  const FacePercept* face = nth_face(robot.faces(), 1);
+  if (face == nullptr || face->familiar == Familiar::unsure) return NativeResult::of(std::string());
+  return NativeResult::of(face->familiar == Familiar::known ? face->name : call.text(0));
+}
+
+/// A lesson that goes on; ends it without learning when the script is stopped.
+struct LessonInHand final : vm::NativeState {
+  LessonInHand(vision::FaceBook& of, const std::string& name, Micros now)
+      : book(&of), number(of.begin_lesson(name)), since(now) {}
+  ~LessonInHand() override { (void)book->end_lesson(number, false); }
+  vision::FaceBook* book;
+  std::uint64_t number;
+  Micros since;
+};
+
+NativeResult learn_face(robot::Robot& robot, NativeCall& call) {
+  constexpr Micros kLongestLesson = 20 * kSecond;
+  explain(robot, call);
+  vision::FaceBook* book = robot.known_faces();
+  const auto say = [&](Fault why) { robot.note(call.block(), std::move(why)); };
+  if (book == nullptr || !book->allowed()) {
+    say(make_fault(call.block(), messages::faces_not_allowed));
+    return NativeResult::finished();
+  }
+  if (!call.state()) {
+    if (const Status fine = vision::check_face_name(call.text(0)); !fine) {
+      say(fine.faults().front());
+      return NativeResult::finished();
+    }
+    call.state() = std::make_unique<LessonInHand>(*book, call.text(0), call.now());
+    return NativeResult::again_at();
+  }
+  const auto& lesson = static_cast<const LessonInHand&>(*call.state());
+  const bool over = book->lesson_number() != lesson.number;
+  const int looks = over ? 0 : book->lesson()->looks;
+  const bool time_up = call.now() - lesson.since > kLongestLesson;
+  if (!over && looks < vision::FaceBook::kLessonLooks && !time_up) return NativeResult::again_at();
+  const bool learnt = looks >= vision::FaceBook::kFewestLooks;
+  if (!learnt && !over) say(make_fault(call.block(), messages::face_not_learnt, {{"name", call.text(0)}}));
+  if (const Status kept = book->end_lesson(lesson.number, learnt); !kept) say(kept.faults().front());
+  return NativeResult::finished();
 }
 
 NativeResult appears(robot::Robot& robot, NativeCall&) {
@@ -91,6 +146,8 @@ NativeResult following(robot::Robot& robot, NativeCall&) {
 void add_people_blocks(vm::NativeTable& table, const std::shared_ptr<const Link>& link) {
   table["people_count"] = with_robot(link, count);
   table["people_face"] = with_robot(link, face_value);
+  table["people_learn"] = with_robot(link, learn_face);
+  table["people_who"] = with_robot(link, who_is_it);
   table["people_when_appears"] = with_robot(link, appears);
   table["people_when_goes"] = with_robot(link, goes);
   table["people_follow_face"] = with_robot(link, follow_face);

@@ -1,8 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "base/units.h"
 #include "model/geometry.h"
 
@@ -38,6 +40,17 @@ struct SonarPercept {
   bool floor_model_trusted = false;
 };
 
+/// Whether a face has been recognised: `unsure` until it was looked at often enough, or when nobody may be.
+enum class Familiar { unsure, stranger, known };
+
+/// How the learning of a face goes.
+struct LessonPercept {
+  std::string name;
+  int looks = 0;
+  int needed = 0;
+  const Message* hint = nullptr;  ///< what to do now, in words; null = nothing
+};
+
 /// Box in source pixels, top-left origin; bearing of its middle from the robot's origin, positive left, and
 /// its elevation above the lens's own height, positive up. The distance, along the floor from the robot's
 /// origin, is judged by its size.
@@ -54,6 +67,7 @@ struct FacePercept {
   Eigen::Vector2d v_O_mps = Eigen::Vector2d::Zero();
   Micros age = 0;      ///< of the picture that it was last seen in, when this one was taken
   std::string name{};  ///< who it is, when that is known
+  Familiar familiar = Familiar::unsure;
 };
 
 struct FacesPercept {
@@ -65,6 +79,8 @@ struct FacesPercept {
   std::vector<FacePercept> faces;  ///< largest first
   /// People who are followed by what they wear while their face is not seen: where the face should be.
   std::vector<FacePercept> bodies;
+  std::optional<LessonPercept> lesson{};  ///< a face is being learnt
+  int described = 0;                      ///< faces that were described for this answer, which takes its time
 };
 
 enum class ThingKind { face, tag, red_ball };

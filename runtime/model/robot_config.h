@@ -54,6 +54,7 @@ struct LatencyConfig {
   Micros frame_us = 30'000;  ///< from exposure to a frame that can be read
   Micros sonar_us = 10'000;  ///< from a readable frame to its answer
   Micros faces_us = 80'000;
+  Micros identity_us = 60'000;  ///< more, for each face that is looked at closely to tell who it is
 };
 
 /// A tag that lies on the floor before the robot when it is switched on, by which it checks its camera.

@@ -32,13 +32,14 @@ void read_head(JsonReader& json, const std::string& file_name, RobotConfig& robo
 }
 
 void read_latency(JsonReader& json, LatencyConfig& latency) {
-  json.only({"frame_ms", "sonar_ms", "faces_ms"});
+  json.only({"frame_ms", "sonar_ms", "faces_ms", "identity_ms"});
   const auto field = [&](const char* name, Micros fallback) {
     return micros(json.number_or(name, 0, 5000, seconds(fallback) * 1e3) * 1e-3);
   };
   latency.frame_us = field("frame_ms", latency.frame_us);
   latency.sonar_us = field("sonar_ms", latency.sonar_us);
   latency.faces_us = field("faces_ms", latency.faces_us);
+  latency.identity_us = field("identity_ms", latency.identity_us);
 }
 
 CheckConfig read_check(JsonReader& json) {

@@ -50,6 +50,7 @@ std::string default_text(JsonReader& json) {
   const nlohmann::json& value = json.json().at("default");
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number()) return number_text(value.get<double>(), 10);
+  if (value.is_object()) return read_languages(json, "default").en;
   json.fault("default", messages::wrong_default, {{"value", short_json(value)}});
   return "";
 }

@@ -15,7 +15,8 @@ namespace {
 /// Opens the finder at its first picture; its fault, if any, is every answer.
 class LazyFaceWatch {
  public:
-  LazyFaceWatch(RobotConfig robot, std::string model) : robot_(std::move(robot)), model_(std::move(model)) {}
+  LazyFaceWatch(RobotConfig robot, std::string model, std::shared_ptr<vision::FaceBook> book)
+      : robot_(std::move(robot)), model_(std::move(model)), book_(std::move(book)) {}
 
   Result<FacesPercept> look(const Frame& frame, const NeckAngles& neck, const Pose2& X_OR) {
     if (!watch_ && !trouble_) open();
@@ -29,7 +30,7 @@ class LazyFaceWatch {
   void open() {
     auto finder = vision::FaceFinder::open(robot_, model_);
     if (finder) {
-      watch_.emplace(robot_, std::move(*finder));
+      watch_.emplace(robot_, std::move(*finder), book_);
     } else {
       trouble_ = finder.faults();
     }
@@ -37,6 +38,7 @@ class LazyFaceWatch {
 
   RobotConfig robot_;
   std::string model_;
+  std::shared_ptr<vision::FaceBook> book_;
   std::optional<vision::FaceWatch> watch_;
   std::optional<Faults> trouble_;
   std::atomic<bool> forget_{false};
@@ -74,11 +76,13 @@ class ThingFinder {
 
 }  // namespace
 
-robot::Detectors make_detectors(const RobotConfig& robot, const std::string& face_model) {
+robot::Detectors make_detectors(const RobotConfig& robot, const std::string& face_model,
+                                std::shared_ptr<vision::FaceBook> book) {
   const auto sonar = std::make_shared<vision::VisualSonar>(robot);
-  const auto faces = std::make_shared<LazyFaceWatch>(robot, face_model);
+  const auto faces = std::make_shared<LazyFaceWatch>(robot, face_model, book);
   const auto things = std::make_shared<ThingFinder>(robot);
   robot::Detectors out;
+  out.book = std::move(book);
   out.sonar = [sonar](const Frame& frame, const NeckAngles& neck, const Pose2& X_OR) {
     return sonar->look(frame, neck, X_OR);
   };

@@ -44,7 +44,7 @@ LiveRobot::LiveRobot(const LiveParts& parts, std::unique_ptr<hal::Camera> camera
       camera_(std::move(camera)),
       robot_(parts.robot,
              {camera_ ? camera_.get() : &simulation_.camera(), &simulation_.drive(), &simulation_.neck()},
-             make_detectors(parts.robot, parts.face_model), robot::Timing::live, *clock_, wall_),
+             make_detectors(parts.robot, parts.face_model, parts.book), robot::Timing::live, *clock_, wall_),
       link_(std::make_shared<blocks::Link>()),
       packs_(shipped_packs(link_)),
       session_(robot_, packs_.catalog, session_options(parts, wall_)) {

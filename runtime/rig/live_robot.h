@@ -11,6 +11,7 @@
 #include "rig/shipped_packs.h"
 #include "session/session.h"
 #include "session/telemetry_board.h"
+#include "vision/identity/face_book.h"
 #include "world/simulation.h"
 
 namespace mirada::rig {
@@ -29,6 +30,7 @@ struct LiveParts {
   RobotConfig body;        ///< what the simulation makes of it: as its file says, whatever was measured since
   std::string camera;      ///< "" = the simulated one
   std::string face_model;  ///< "" = the one that was fetched, or none
+  std::shared_ptr<vision::FaceBook> book = std::make_shared<vision::FaceBook>();  ///< who is known
   std::uint64_t runs_before = 0;
   Faults notes;  ///< what is odd about these files, in words
   Tell tell;     ///< hears what the start-up check found; may be empty

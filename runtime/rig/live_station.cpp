@@ -18,9 +18,10 @@ constexpr Micros kLongestSleep = 50 * kMillisecond;
 }  // namespace
 
 LiveStation::LiveStation(std::unique_ptr<LiveRobot> robot, std::string camera, std::string face_model,
-                         Tell tell)
+                         std::shared_ptr<vision::FaceBook> book, Tell tell)
     : camera_(std::move(camera)),
       face_model_(std::move(face_model)),
+      book_(std::move(book)),
       tell_(std::move(tell)),
       robot_(std::move(robot)),
       control_([this] { control_loop(); }),
@@ -135,6 +136,7 @@ Status LiveStation::rebuild(const session::Setup& setup) {
   parts->runs_before = telemetry()->run;
   parts->tell = tell_;
   parts->face_model = face_model_;
+  parts->book = book_;
   auto built = LiveRobot::build(*parts);
   if (!built) return built.faults();
   std::shared_ptr<LiveRobot> next = std::move(*built);
@@ -164,6 +166,29 @@ void LiveStation::want(const session::Wanted& wanted) {
 
 std::shared_ptr<const session::Telemetry> LiveStation::telemetry() const { return robot()->board().latest(); }
 std::shared_ptr<const session::Picture> LiveStation::picture() const { return encoder_.latest(); }
+
+session::KnownFaces LiveStation::known_faces() const {
+  session::KnownFaces out;
+  out.revision = book_->revision();
+  out.allowed = book_->allowed();
+  for (const vision::FaceBook::Person& person : book_->people()) out.people.push_back({person.name, person.looks});
+  return out;
+}
+
+Status LiveStation::change_faces(const session::FacesStep& step) {
+  using FacesAction = session::FacesStep::Action;
+  switch (step.action) {
+    case FacesAction::allow:
+      return book_->allow(step.on);
+    case FacesAction::rename:
+      return book_->rename(step.name, step.to);
+    case FacesAction::forget:
+      return book_->forget(step.name);
+    case FacesAction::forget_all:
+      return book_->forget_all();
+  }
+  return Ok{};
+}
 
 std::deque<LiveStation::Command> LiveStation::take_commands() {
   const std::lock_guard lock(commands_mutex_);

@@ -17,8 +17,9 @@ namespace mirada::rig {
 /// watchdog, and the picture encoder. Stop is a path of its own: it goes straight to Safety.
 class LiveStation final : public session::Station {
  public:
-  /// `camera` and `tell` do not change with choose().
-  LiveStation(std::unique_ptr<LiveRobot> robot, std::string camera, std::string face_model, Tell tell);
+  /// `camera`, `book` and `tell` do not change with choose().
+  LiveStation(std::unique_ptr<LiveRobot> robot, std::string camera, std::string face_model,
+              std::shared_ptr<vision::FaceBook> book, Tell tell);
   ~LiveStation() override;
 
   Result<session::Started> start(const std::string& program_json) override;
@@ -43,6 +44,9 @@ class LiveStation final : public session::Station {
   std::shared_ptr<const session::Calibration> calibration() const override;
   std::optional<Fault> camera_words() const override;
 
+  session::KnownFaces known_faces() const override;
+  Status change_faces(const session::FacesStep& step) override;
+
  private:
   using Command = std::function<void(LiveRobot&)>;
 
@@ -62,6 +66,7 @@ class LiveStation final : public session::Station {
 
   const std::string camera_;
   const std::string face_model_;
+  const std::shared_ptr<vision::FaceBook> book_;
   const Tell tell_;
   PictureEncoder encoder_;
   mutable std::mutex robot_mutex_;  // the pointer

@@ -61,7 +61,9 @@ class Lockstep {
   explicit Lockstep(const LockstepOptions& options)
       : options_(options),
         body_(options),
-        robot_(options.robot, body_.devices(), make_detectors(options.robot, options.face_model),
+        robot_(options.robot, body_.devices(), 
+               make_detectors(options.robot, options.face_model,
+                              options.book ? options.book : std::make_shared<vision::FaceBook>()),
                robot::Timing::simulated, clock_, clock_),
         link_(std::make_shared<blocks::Link>()),
         packs_(shipped_packs(link_)),

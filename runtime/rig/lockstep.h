@@ -1,10 +1,12 @@
 #pragma once
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "model/robot_config.h"
 #include "session/run_report.h"
+#include "vision/identity/face_book.h"
 #include "vm/machine.h"
 #include "world/simulation.h"
 
@@ -17,6 +19,9 @@ struct LockstepOptions {
   std::uint64_t seed = 1;
   double seconds = 60;
   std::string face_model;  ///< a network's file; "" = the one that was fetched, or none
+  /// Who is known; null = nobody, and nobody may be learnt. What a run learns stays in it: give each run its
+  /// own for the same result.
+  std::shared_ptr<vision::FaceBook> book;
   vm::Limits limits;
   std::function<bool()> stop_asked;  ///< looked at once a tick; may be empty
   /// Called after each world step with the truth (not without a world); may be empty.

@@ -4,6 +4,7 @@
 
 #include "rig/live_station.h"
 #include "rig/messages.h"
+#include "rig/own_folder.h"
 #include "rig/setup_reader.h"
 #include "vision/face_finder.h"
 
@@ -21,8 +22,12 @@ Result<std::unique_ptr<session::Station>> make_station(const StationOptions& opt
   parts->face_model = options.face_model;
   const auto faces = vision::check_face_model(options.face_model);
   if (!faces) return faces.faults();
+  auto book = vision::FaceBook::open(options.faces.empty() ? known_faces_file() : std::filesystem::path(options.faces));
+  if (!book) return book.faults();
+  parts->book = *book;
   for (const Fault& note : parts->notes) tell(note);
   if (const auto fallback = vision::face_fallback(options.face_model)) tell(*fallback);
+  if (const auto fallback = vision::face_identity_fallback(); fallback && (*book)->allowed()) tell(*fallback);
   parts->tell = tell;
   auto robot = LiveRobot::build(*parts);
   if (!robot) return robot.faults();
@@ -30,7 +35,7 @@ Result<std::unique_ptr<session::Station>> make_station(const StationOptions& opt
     std::cerr << format(messages::camera_from_outside, {{"camera", options.camera}}, options.lang) << "\n";
   }
   return std::unique_ptr<session::Station>(
-      std::make_unique<LiveStation>(std::move(*robot), options.camera, options.face_model, tell));
+      std::make_unique<LiveStation>(std::move(*robot), options.camera, options.face_model, *book, tell));
 }
 
 }  // namespace mirada::rig

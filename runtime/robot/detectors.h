@@ -1,9 +1,11 @@
 #pragma once
 #include <functional>
+#include <memory>
 
 #include "base/result.h"
 #include "model/frame.h"
 #include "model/percepts.h"
+#include "vision/identity/face_book.h"
 
 namespace mirada::robot {
 
@@ -15,6 +17,8 @@ struct Detectors {
   std::function<Result<FacesPercept>(const Frame&, const NeckAngles&, const Pose2&)> faces;
   /// Tags and balls.
   std::function<ThingsPercept(const Frame&, const NeckAngles&, const Pose2&)> things;
+  /// Whose faces are known; null = faces are not told apart. Any thread.
+  std::shared_ptr<vision::FaceBook> book;
   /// Forgets the faces that are followed. Any thread.
   std::function<void()> forget_faces;
   /// Forgets what was learnt about the floor.

@@ -109,12 +109,22 @@ void Follower::take(const FacePercept& face, Micros t, bool by_face) {
   next.t = t;
   next.by_face = by_face;
   next.height_m = face.distance_m * std::tan(face.elevation_rad);
+  next.name = face.name;
+  if (target_ && next.name.empty() && face.id == target_->id) next.name = target_->name;
   if (target_ && !by_face) next.height_m = target_->height_m;
   target_ = next;
   if (crumbs_.empty() || (crumbs_.back().p_O_m - next.p_O_m).norm() > kCrumb_m)
     crumbs_.push_back({next.p_O_m, t, t});
   crumbs_.back().until = t;
   if (crumbs_.size() > kMostCrumbs) crumbs_.pop_front();
+}
+
+/// Somebody who is known is only followed in their own face: not in a stranger's, and not in one that nobody
+/// has looked at closely yet.
+bool Follower::may_be_target(const FacePercept& face) const {
+  if (!target_ || target_->name.empty()) return true;
+  if (face.id == target_->id && face.familiar == Familiar::unsure) return true;
+  return face.name == target_->name;
 }
 
 /// The same number; else, after a loss, a face near where they should be; else
@@ -125,13 +135,14 @@ void Follower::look_for_target(const Sight& sight) {
   const Micros t = sight.faces->t_exposure;
   const FacePercept* best = nullptr;
   for (const FacePercept& face : sight.faces->faces) {
-    if (face.predicted) continue;
+    if (face.predicted || !may_be_target(face)) continue;
     if (target_ && face.id == target_->id) return take(face, t, true);
     const double reach_m =
         target_ ? kSamePerson_m + kReachGrows_mps * std::min(seconds(t - target_->t), 6.0) : 0;
     const bool near = target_ && (face.p_O_m - place_at(t)).norm() < reach_m;
     const bool free_to_choose = !target_ || state_ == FollowState::gone;
-    if (best == nullptr && (near || free_to_choose)) best = &face;
+    const bool known_one = target_ && !target_->name.empty();
+    if (best == nullptr && (near || known_one || free_to_choose)) best = &face;
   }
   for (const FacePercept& body : sight.faces->bodies)
     if (target_ && body.id == target_->id) return take(body, t, false);

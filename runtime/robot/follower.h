@@ -58,6 +58,7 @@ class Follower {
     double height_m = 0;  ///< above the lens
     Micros t = 0;         ///< the exposure of the newest sight
     bool by_face = true;
+    std::string name;  ///< "" = not known
   };
 
   /// Where the person walked, and from when to when they were there.
@@ -70,6 +71,7 @@ class Follower {
   void leave();
   void look_for_target(const Sight& sight);
   void take(const FacePercept& face, Micros t, bool by_face);
+  bool may_be_target(const FacePercept& face) const;
   FollowState state_at(Micros now) const;
   Eigen::Vector2d place_at(Micros t) const;
   void move_neck(const Sight& sight, double bearing_rad, double away_m, const memory::VisualMemory& memory);

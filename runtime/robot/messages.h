@@ -33,6 +33,14 @@ inline constexpr Message no_gap_there{"no_gap_there",
 inline constexpr Message faces_unavailable{"faces_unavailable", "I can't look for faces here: {reason}",
                                            "Aquí no puedo buscar caras: {reason}"};
 
+inline constexpr Message faces_not_allowed{
+    "faces_not_allowed",
+    "Learning and recognising faces is off here. A teacher can allow it, under Known faces.",
+    "Aprender y reconocer caras está apagado aquí. Un profesor puede permitirlo, en Caras conocidas."};
+inline constexpr Message face_not_learnt{
+    "face_not_learnt", "I could not see the face well enough to learn it as {name}. Come near and look at me.",
+    "No pude ver la cara lo bastante bien para aprenderla como {name}. Acércate y mírame."};
+
 inline constexpr Message place_lost{"place_lost",
                                     "I don't know where I am. Let me see a tag of the map first.",
                                     "No sé dónde estoy. Déjame ver antes una etiqueta del mapa."};

@@ -54,7 +54,10 @@ void Perception::look_for_faces(const Frame& frame, Micros now, const MotionHist
     return;
   }
   // One picture at a time, as the thread that does it live.
-  if (faces_due_.empty()) accept(detectors_.faces(frame, then.neck, then.X_OR), now + latency_.faces_us);
+  if (!faces_due_.empty()) return;
+  Result<FacesPercept> found = detectors_.faces(frame, then.neck, then.X_OR);
+  const Micros closely = found ? found->described * latency_.identity_us : 0;
+  accept(std::move(found), now + latency_.faces_us + closely);
 }
 
 void Perception::accept(Result<FacesPercept> found, Micros due) {

@@ -53,6 +53,9 @@ class Perception {
   /// Why faces cannot be looked for, if so.
   const std::optional<Fault>& faces_trouble() const { return faces_trouble_; }
 
+  /// Whose faces are known; null = faces are not told apart here.
+  vision::FaceBook* known_faces() const { return detectors_.book.get(); }
+
   /// The robot was put elsewhere: forgets the floor's look and everything seen.
   void forget();
 

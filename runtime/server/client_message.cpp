@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::pair<std::string_view, ClientVerb>, 11> kVerbs{{
+constexpr std::array<std::pair<std::string_view, ClientVerb>, 12> kVerbs{{
     {"hello", ClientVerb::hello},
     {"run", ClientVerb::run},
     {"stop", ClientVerb::stop},
@@ -28,6 +28,7 @@ constexpr std::array<std::pair<std::string_view, ClientVerb>, 11> kVerbs{{
     {"watch", ClientVerb::watch},
     {"release", ClientVerb::release},
     {"calibrate", ClientVerb::calibrate},
+    {"faces", ClientVerb::faces},
 }};
 constexpr std::size_t kMaxFieldBytes = 4096;
 constexpr double kMaxWhole = 9007199254740991.0;  // 2^53 - 1: what JSON numbers hold exactly everywhere
@@ -111,6 +112,21 @@ void read_calibrate(JsonReader& in, session::CalibrationStep& out) {
   plan.camera = in.text_or("camera", plan.camera);
 }
 
+void read_faces(JsonReader& in, session::FacesStep& out) {
+  using Action = session::FacesStep::Action;
+  const std::string action = in.choice("action", {"forget_all", "forget", "rename", "allow"});
+  if (action == "allow") {
+    out.action = Action::allow;
+    out.on = in.truth_or("on", false);
+    out.code = in.text_or("code", "");
+    return;
+  }
+  if (action == "forget_all") return;
+  out.action = action == "rename" ? Action::rename : Action::forget;
+  out.name = in.text("name");
+  if (action == "rename") out.to = in.text("to");
+}
+
 void read_fields(const ScannedObject& scanned, JsonReader& in, ReadMessage& out) {
   ClientMessage& message = out.message;
   switch (message.verb) {
@@ -138,6 +154,8 @@ void read_fields(const ScannedObject& scanned, JsonReader& in, ReadMessage& out)
       return;
     case ClientVerb::calibrate:
       return read_calibrate(in, message.calibration);
+    case ClientVerb::faces:
+      return read_faces(in, message.faces);
     case ClientVerb::stop:
     case ClientVerb::put_back:
     case ClientVerb::release:

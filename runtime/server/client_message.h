@@ -9,7 +9,7 @@
 
 namespace mirada::server {
 
-enum class ClientVerb { hello, run, stop, pause, key, evaluate, choose, put_back, watch, release, calibrate };
+enum class ClientVerb { hello, run, stop, pause, key, evaluate, choose, put_back, watch, release, calibrate, faces };
 
 /// One message of docs/protocol.md from a client. Which fields mean something depends on the verb.
 struct ClientMessage {
@@ -26,6 +26,7 @@ struct ClientMessage {
   std::optional<std::uint64_t> seed;
   session::Wanted wanted;
   session::CalibrationStep calibration;
+  session::FacesStep faces;
 };
 
 /// What was sent, or all that is wrong with it.

@@ -76,6 +76,7 @@ void Hub::tick() {
   publish_picture();
   publish_calibration();
   publish_camera_words();
+  publish_known_faces();
 }
 
 void Hub::lose_owner() {
@@ -139,6 +140,16 @@ void Hub::publish_camera_words() {
   if (text == camera_words_) return;
   camera_words_ = text;
   if (!text.empty()) broadcast(text);
+}
+
+void Hub::publish_known_faces() {
+  const session::KnownFaces faces = wiring_.station.known_faces();
+  if (faces.revision == faces_revision_) return;
+  faces_revision_ = faces.revision;
+  const std::string text = known_faces_text(faces);
+  for (const auto& [id, viewer] : viewers_) {
+    if (viewer->greeted() && viewer->may_drive) viewer->link->send_control(text);
+  }
 }
 
 void Hub::end_calibration() {

@@ -37,7 +37,8 @@ using Job = std::function<void()>;
 struct HubWiring {
   session::Station& station;
   const Clock& clock;
-  std::string join_code;  ///< "" = nobody needs one
+  std::string join_code;     ///< "" = nobody needs one
+  std::string teacher_code;  ///< to allow that faces are learnt; "" = nobody needs one
   std::function<void(Job)> background;
   std::function<void(Job)> on_hub;
 };
@@ -76,6 +77,8 @@ class Hub {
   void handle(Viewer& viewer, const ReadMessage& read);
   void hello(Viewer& viewer, const ClientMessage& message);
   void check_code(Viewer& viewer, const std::string& code);
+  /// Whether this is the code; a wrong one counts.
+  bool right_code(Viewer& viewer, const std::string& typed, const std::string& code);
   void run(Viewer& viewer, const std::string& program);
   void start_in_background(ViewerId id, std::string program);
   void evaluate(Viewer& viewer, const ClientMessage& message);
@@ -85,6 +88,7 @@ class Hub {
   void watch(Viewer& viewer, const session::Wanted& wanted);
   void release(Viewer& viewer);
   void calibrate(Viewer& viewer, const session::CalibrationStep& step);
+  void change_faces(Viewer& viewer, const session::FacesStep& step);
 
   bool within_rate(Viewer& viewer, const ReadMessage& read);
   bool may_drive(Viewer& viewer, std::string_view verb);
@@ -105,6 +109,8 @@ class Hub {
   /// To whoever drives, when there is something new.
   void publish_calibration();
   void publish_camera_words();
+  /// To those who may drive: names are not for everybody.
+  void publish_known_faces();
   void end_calibration();
   void give_current(Viewer& viewer);
   Viewer* find(ViewerId id);
@@ -125,7 +131,8 @@ class Hub {
   std::shared_ptr<const session::Picture> picture_;
   std::shared_ptr<const session::Calibration> calibration_;
   Micros calibration_sent_;
-  std::string camera_words_;  ///< as sent last
+  std::string camera_words_;        ///< as sent last
+  std::uint64_t faces_revision_ = 0;  ///< as sent last
 };
 
 }  // namespace mirada::server

@@ -75,6 +75,8 @@ void Hub::handle(Viewer& viewer, const ReadMessage& read) {
       return release(viewer);
     case ClientVerb::calibrate:
       return calibrate(viewer, message.calibration);
+    case ClientVerb::faces:
+      return change_faces(viewer, message.faces);
     case ClientVerb::stop:
       return;
   }
@@ -89,6 +91,7 @@ void Hub::hello(Viewer& viewer, const ClientMessage& message) {
       welcome_text(seat(viewer), seats(), wiring_.station, telemetry ? telemetry->t : 0));
   give_current(viewer);
   if (!camera_words_.empty()) viewer.link->send_control(camera_words_);
+  if (viewer.may_drive) viewer.link->send_control(known_faces_text(wiring_.station.known_faces()));
   const auto calibration = wiring_.station.calibration();
   const bool shown = calibration && calibration->phase != session::Calibration::Phase::off;
   if (shown && drives(viewer)) viewer.link->send_control(calibration_text(*calibration));
@@ -96,16 +99,20 @@ void Hub::hello(Viewer& viewer, const ClientMessage& message) {
 }
 
 void Hub::check_code(Viewer& viewer, const std::string& code) {
+  viewer.may_drive = right_code(viewer, code, wiring_.join_code);
+}
+
+bool Hub::right_code(Viewer& viewer, const std::string& typed, const std::string& code) {
   const Micros now = wiring_.clock.now();
   if (!viewer.code_tries.allows(now) || !wrong_codes_.allows(now)) {
     viewer.link->send_control(notice_text(messages::code_wait));
-    return;
+    return false;
   }
   viewer.code_tries.count(now);
-  viewer.may_drive = same_code(code, wiring_.join_code);
-  if (viewer.may_drive) return;
+  if (same_code(typed, code)) return true;
   wrong_codes_.count(now);
   viewer.link->send_control(notice_text(messages::code_wrong));
+  return false;
 }
 
 bool Hub::may_drive(Viewer& viewer, std::string_view verb) {
@@ -223,6 +230,22 @@ void Hub::calibrate(Viewer& viewer, const session::CalibrationStep& step) {
     wiring_.on_hub([this, id, done] {
       end_job(id);
       if (!done.ok()) send(id, refused_text("calibrate", done.faults()));
+    });
+  });
+}
+
+void Hub::change_faces(Viewer& viewer, const session::FacesStep& step) {
+  if (!viewer.may_drive) return refuse(viewer, "faces", messages::code_needed);
+  // To switch it off needs no code.
+  const bool guarded = step.action == session::FacesStep::Action::allow && step.on;
+  if (guarded && !wiring_.teacher_code.empty() && !right_code(viewer, step.code, wiring_.teacher_code))
+    return refuse(viewer, "faces", messages::teacher_code_needed);
+  if (!begin_job(viewer, "faces")) return;
+  wiring_.background([this, id = viewer.id, step] {
+    const Status done = wiring_.station.change_faces(step);
+    wiring_.on_hub([this, id, done] {
+      end_job(id);
+      if (!done.ok()) send(id, refused_text("faces", done.faults()));
     });
   });
 }

@@ -28,6 +28,10 @@ inline constexpr Message code_wrong{"code_wrong", "That is not the code of this 
                                     "Ese no es el código de este robot. Míralo otra vez."};
 inline constexpr Message code_wait{"code_wait", "Too many tries. Wait a minute and type the code again.",
                                    "Demasiados intentos. Espera un minuto y escribe el código otra vez."};
+inline constexpr Message teacher_code_needed{
+    "teacher_code_needed",
+    "Only a teacher can allow this. Type the teacher's code: it stands where Mirada was started.",
+    "Solo un profesor puede permitirlo. Escribe el código del profesor: está donde se arrancó Mirada."};
 inline constexpr Message owner_gone{"owner_gone", "The driver is gone, so the robot stopped.",
                                     "Quien conducía ya no está, así que el robot se ha parado."};
 inline constexpr Message start_stopped{"start_stopped",

@@ -49,7 +49,7 @@ Fault listen_fault(const ServerOptions& options, const boost::system::error_code
 struct Server::Impl {
   Impl(const ServerOptions& options, session::Station& station, const packs::PackSet& packs,
        const std::vector<Example>& examples, const Clock& clock)
-      : hub({station, clock, options.join_code, on(station_jobs), to_io()}),
+      : hub({station, clock, options.join_code, options.teacher_code, on(station_jobs), to_io()}),
         board{hub,
               clock,
               {station, StaticFiles(options.ui_folder), packs_json(packs), examples_json(examples),

@@ -19,6 +19,7 @@ struct ServerOptions {
   std::filesystem::path ui_folder;    ///< the built editor
   Lang lang = Lang::en;               ///< the editor's first language
   std::string join_code;              ///< needed to drive, but not from this machine; "" = by nobody
+  std::string teacher_code{};         ///< needed to allow that faces are learnt; "" = by nobody
 };
 
 /// HTTP and WebSocket on one port for one robot. Serves on threads of its own from open() to the destructor,

@@ -121,6 +121,13 @@ std::string calibration_text(const session::Calibration& state) {
                {"words", faults_to_json(state.words)}});
 }
 
+std::string known_faces_text(const session::KnownFaces& faces) {
+  json people = json::array();
+  for (const session::KnownFaces::Person& person : faces.people)
+    people.push_back({{"name", person.name}, {"looks", person.looks}});
+  return dump({{"type", "known_faces"}, {"allowed", faces.allowed}, {"people", std::move(people)}});
+}
+
 std::string camera_words_text(const Fault& words) {
   return notice_text(*words.message, words.severity, words.args);
 }

@@ -41,6 +41,7 @@ std::string stopped_text();
 std::string setup_text(const session::Setup& setup);
 std::string value_text(std::uint64_t request, const Result<vm::MonitorValue>& answer);
 std::string calibration_text(const session::Calibration& state);
+std::string known_faces_text(const session::KnownFaces& faces);
 std::string camera_words_text(const Fault& words);
 std::string check_json(const Faults& faults);
 

@@ -93,6 +93,7 @@ void RunHash::percepts(const Percepts& percepts) {
     number(face.bearing_rad, kRadian);
     number(face.distance_m, kMetre);
     impl_->add(face.id);
+    if (face.familiar != Familiar::unsure) bytes(face.name);
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/result.h"
 #include "session/calibration.h"
+#include "session/known_faces.h"
 #include "session/telemetry.h"
 
 namespace mirada::session {
@@ -84,6 +85,10 @@ class Station {
   virtual std::shared_ptr<const Calibration> calibration() const = 0;
   /// What the start-up check found out about the camera's place; nothing while there is nothing to say.
   virtual std::optional<Fault> camera_words() const = 0;
+
+  virtual KnownFaces known_faces() const = 0;
+  /// Ok once it is written down, or why not.
+  virtual Status change_faces(const FacesStep& step) = 0;
 };
 
 }  // namespace mirada::session

@@ -27,5 +27,30 @@ inline constexpr Message face_net_not_fetched{
     "Busco caras de la manera sencilla (Haar), porque el modelo mejor no está aquí. Arráncame con "
     "scripts/run "
     "cuando haya internet y se descargará."};
+inline constexpr Message face_identity_plain{
+    "face_identity_plain",
+    "I tell faces apart in the plain way (local patterns), because the networks for it are not here. Start "
+    "me with scripts/run while there is internet, and they are fetched.",
+    "Distingo las caras de la manera sencilla (patrones locales), porque las redes para ello no están aquí. "
+    "Arráncame con scripts/run cuando haya internet y se descargarán."};
+inline constexpr Message face_book_broken{
+    "face_book_broken", "The learnt faces in {file} can't be read, so I know nobody: {reason}",
+    "No se pueden leer las caras aprendidas de {file}, así que no conozco a nadie: {reason}"};
+inline constexpr Message face_book_full{"face_book_full",
+                                        "I can't learn more than {max} people. Forget somebody first.",
+                                        "No puedo aprender más de {max} personas. Olvida antes a alguien."};
+inline constexpr Message face_unknown_name{"face_unknown_name", "I know nobody called {name}.",
+                                           "No conozco a nadie que se llame {name}."};
+inline constexpr Message face_name_taken{"face_name_taken", "I already know somebody called {name}.",
+                                         "Ya conozco a alguien que se llama {name}."};
+inline constexpr Message face_name_bad{
+    "face_name_bad", "A name needs 1 to {max} characters.", "Un nombre necesita de 1 a {max} caracteres."};
+inline constexpr Message lesson_show_face{"lesson_show_face", "Show me your face.", "Enséñame tu cara."};
+inline constexpr Message lesson_closer{"lesson_closer", "Come a little closer.", "Acércate un poco."};
+inline constexpr Message lesson_one_only{"lesson_one_only", "Only one person in the picture, please.",
+                                         "Solo una persona en la imagen, por favor."};
+inline constexpr Message lesson_look_here{"lesson_look_here", "Look at me.", "Mírame."};
+inline constexpr Message lesson_move{"lesson_move", "Good! Move your head a little.",
+                                     "¡Bien! Mueve un poco la cabeza."};
 
 }  // namespace mirada::messages

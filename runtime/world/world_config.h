@@ -83,10 +83,14 @@ struct PersonConfig {
   Colour shirt{70, 110, 180};
   Colour hair{70, 48, 32};
   Colour skin{224, 180, 150};
+  int face = 0;  ///< whose face it is: another number, another face
   std::vector<Eigen::Vector2d> path_m;  ///< corners to walk to, in turn, for ever
   double speed_mps = 0.3;
   bool watches_robot = false;  ///< looks at the robot wherever they walk, backwards too
 };
+
+/// Gives somebody the skin and hair that go with their face; the first face has those of PersonConfig.
+void wear_own_colours(PersonConfig& person);
 
 /// An AprilTag 36h11 printed on white and put up: its middle in W, looking along its heading.
 struct TagConfig {

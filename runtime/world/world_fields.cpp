@@ -195,12 +195,14 @@ CylinderConfig read_cylinder(JsonReader reader) {
 
 PersonConfig read_person(JsonReader reader) {
   reader.only({"x_m", "y_m", "heading_deg", "height_m", "radius_m", "shirt_colour", "hair_colour",
-               "skin_colour", "path", "speed_mps", "watches_robot"});
+               "skin_colour", "face", "path", "speed_mps", "watches_robot"});
   PersonConfig out;
   out.X_WP = read_pose(reader);
   out.height_m = reader.number_or("height_m", 0.25, 2.2, out.height_m);
   out.radius_m = reader.number_or("radius_m", 0.03, 0.6, out.height_m * 0.125);
   out.shirt = read_colour(reader, "shirt_colour", out.shirt);
+  out.face = static_cast<int>(reader.number_or("face", 0, 9999, out.face));
+  wear_own_colours(out);
   out.hair = read_colour(reader, "hair_colour", out.hair);
   out.skin = read_colour(reader, "skin_colour", out.skin);
   out.path_m = read_points(reader, "path", 0, 100);

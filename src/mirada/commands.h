@@ -16,6 +16,7 @@ void add_serve(Commands& commands);
 void add_see(Commands& commands);
 void add_calibrate(Commands& commands);
 void add_mount(Commands& commands);
+void add_faces(Commands& commands);
 void add_lab(Commands& commands);
 
 }  // namespace mirada

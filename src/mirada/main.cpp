@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   mirada::add_see(commands);
   mirada::add_calibrate(commands);
   mirada::add_mount(commands);
+  mirada::add_faces(commands);
   mirada::add_lab(commands);
   try {
     app.parse(argc, argv);

@@ -30,6 +30,7 @@ struct RunArguments {
   std::string report;
   std::string lang = "en";
   std::string face_model;
+  std::string faces;
 
   Lang language() const { return lang == "es" ? Lang::es : Lang::en; }
 };
@@ -43,6 +44,14 @@ Result<rig::LockstepOptions> read_options(const RunArguments& arguments) {
   options.face_model = arguments.face_model;
   Faults faults;
   if (const auto model = vision::check_face_model(arguments.face_model); !model) faults = model.faults();
+  if (!arguments.faces.empty()) {
+    auto book = vision::FaceBook::copy_of(arguments.faces);
+    if (book) {
+      options.book = std::move(*book);
+    } else {
+      faults.insert(faults.end(), book.faults().begin(), book.faults().end());
+    }
+  }
   if (arguments.world != "none") {
     auto world = world::world_by_name(arguments.world);
     if (world) {
@@ -120,6 +129,9 @@ void add_run(Commands& commands) {
   sub->add_option("--model", arguments->face_model,
                   "A face network of your own (ONNX, in the shape of UltraFace); without it the one that "
                   "scripts/run fetched, else the plain way (Haar)");
+  sub->add_option("--known-faces", arguments->faces,
+                  "File of known faces (see mirada faces): they may be recognised, and what the program "
+                  "learns is known until it ends. Without it nobody is known and nobody can be learnt");
   sub->add_option("--seed", arguments->seed, "The same seed, the same run")->capture_default_str();
   sub->add_option("--seconds", arguments->seconds, "Longest run, in simulated seconds")
       ->check(CLI::Range(0.001, kLongest_s))

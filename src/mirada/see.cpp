@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
@@ -14,6 +15,7 @@
 #include "see_report.h"
 #include "vision/face_finder.h"
 #include "vision/faces/face_tracker.h"
+#include "vision/identity/face_namer.h"
 #include "vision/overlay.h"
 #include "vision/visual_sonar.h"
 
@@ -35,6 +37,7 @@ struct SeeOptions {
   std::string overlay;
   std::string lang = "en";
   std::string face_model;
+  std::string known_faces;
 };
 
 /// All that looking needs, opened and checked before the first picture is looked at.
@@ -42,6 +45,7 @@ struct SeeJob {
   RobotConfig robot;
   std::vector<PictureSource> sources;
   std::unique_ptr<vision::FaceFinder> faces;
+  std::shared_ptr<vision::FaceBook> book;  ///< null: nobody is asked for
   Faults warnings;
 };
 
@@ -79,6 +83,15 @@ Result<SeeJob> open_job(const SeeOptions& options) {
       job.faces = std::move(*faces);
     } else {
       append(faults, faces.faults());
+    }
+  }
+  if (!options.known_faces.empty()) {
+    auto book = vision::FaceBook::copy_of(options.known_faces);
+    if (book) {
+      job.book = std::move(*book);
+      if (const auto plain = vision::face_identity_fallback()) job.warnings.push_back(*plain);
+    } else {
+      append(faults, book.faults());
     }
   }
   if (!faults.empty()) return faults;
@@ -120,9 +133,12 @@ int look_at_all(SeeJob& job, const SeeOptions& options) {
   const bool many = job.sources.size() > 1 || job.sources.front().is_video();
   Frame frame;
   vision::FaceTracker tracker(job.robot);
+  std::optional<vision::FaceNamer> namer;
+  if (job.book) namer.emplace(job.book);
   for (PictureSource& source : job.sources) {
     sonar.forget();
     tracker = vision::FaceTracker(job.robot);
+    if (namer) namer->forget();
     for (int index = 0; !(frame.bgr = source.next()).empty(); ++index) {
       ++frame.number;
       frame.t_exposure = index * kFramePeriod;
@@ -137,6 +153,8 @@ int look_at_all(SeeJob& job, const SeeOptions& options) {
       if (job.faces) {
         seen.faces = job.faces->find(frame, neck);
         tracker.follow(seen.faces, neck, {});
+        if (namer && source.is_video()) namer->look(frame.bgr, seen.faces, true);
+        if (namer && !source.is_video()) namer->name_at_once(frame.bgr, seen.faces);
       }
       const std::string text =
           options.json ? see_report(seen).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)
@@ -185,6 +203,8 @@ void add_see(Commands& commands) {
   app->add_option("--model", options->face_model,
                   "A face network of your own (ONNX, in the shape of UltraFace); without it the one that "
                   "scripts/run fetched, else the plain way (Haar)");
+  app->add_option("--known-faces", options->known_faces,
+                  "File of known faces (see mirada faces): says who the faces are");
   app->add_option("--floor", options->floor,
                   "How the floor is told: learnt, or the paper's fixed-colour border")
       ->check(CLI::IsMember({"learnt", "fixed-colour"}))

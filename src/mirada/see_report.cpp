@@ -23,6 +23,10 @@ nlohmann::json reading_json(const SonarReading& reading) {
           {"sigma_m", metres(reading.sigma_m)}};
 }
 
+const char* familiar_text(Familiar familiar) {
+  return familiar == Familiar::known ? "known" : familiar == Familiar::stranger ? "stranger" : "unsure";
+}
+
 nlohmann::json face_json(const FacePercept& face, const std::string& detector) {
   const auto tenth = [](double value) { return std::round(value * 10) / 10; };
   return {{"x", tenth(face.x_px)},
@@ -35,6 +39,8 @@ nlohmann::json face_json(const FacePercept& face, const std::string& detector) {
           {"distance_m", metres(face.distance_m)},
           {"sigma_m", metres(face.sigma_m)},
           {"id", face.id},
+          {"name", face.name},
+          {"who", familiar_text(face.familiar)},
           {"state", face.predicted ? "predicted" : "seen"}};
 }
 

@@ -26,6 +26,7 @@ struct ServeOptions {
   std::string lang = "en";
   std::string ui;
   std::string face_model;
+  std::string faces;
 };
 
 /// The signals that end the program, blocked in this thread and all that it starts, so that they can be
@@ -46,12 +47,15 @@ int complain(const Faults& faults, Lang lang) {
 
 void warn(const Faults& faults, Lang lang) { std::fputs(to_text(faults, lang).c_str(), stderr); }
 
-void announce(const server::Server& server, const std::string& join_code, Lang lang) {
+void announce(const server::Server& server, const server::ServerOptions& codes, Lang lang) {
   const bool es = lang == Lang::es;
-  if (!join_code.empty()) {
+  if (!codes.join_code.empty()) {
     std::printf(es ? "Para conducir hace falta el código %s\n" : "Driving needs the code %s\n",
-                join_code.c_str());
+                codes.join_code.c_str());
   }
+  std::printf(es ? "Para permitir que aprenda caras, el código del profesor es %s\n"
+                 : "To allow it to learn faces, the teacher's code is %s\n",
+              codes.teacher_code.c_str());
   std::printf(es ? "Mirada está lista: %s\n" : "Mirada is ready: %s\n", server.url().c_str());
   std::fflush(stdout);
 }
@@ -62,7 +66,7 @@ int serve(const ServeOptions& options) {
   const auto packs = rig::load_shipped_packs();
   warn(packs->faults, lang);
   auto station = rig::make_station({options.world, options.robot, options.seed, options.camera,
-                                    options.face_model, lang, packs, options.place});
+                                    options.face_model, lang, packs, options.place, options.faces});
   if (!station.ok()) return complain(station.faults(), lang);
 
   Faults example_faults;
@@ -74,11 +78,12 @@ int serve(const ServeOptions& options) {
   to_serve.ui_folder = options.ui.empty() ? data_folder("ui/dist") : std::filesystem::path(options.ui);
   to_serve.lang = lang;
   if (!server::is_loopback_address(options.listen)) to_serve.join_code = server::make_join_code();
+  to_serve.teacher_code = server::make_join_code();
   const SteadyClock clock;
   {
     const auto server = server::Server::open(to_serve, **station, *packs, examples, clock);
     if (!server.ok()) return complain(server.faults(), lang);
-    announce(**server, to_serve.join_code, lang);
+    announce(**server, to_serve, lang);
     int signal = 0;
     sigwait(&signals, &signal);
     (*station)->stop(session::StopReason::stop_button);
@@ -112,6 +117,8 @@ void add_serve(Commands& commands) {
   command->add_option("--model", options->face_model,
                       "A face network of your own (ONNX, in the shape of UltraFace); without it the one that "
                       "scripts/run fetched, else the plain way (Haar)");
+  command->add_option("--known-faces", options->faces,
+                      "File of the known faces; without it known.json in the user's own folder");
   command->add_option("--ui", options->ui, "Folder of the built editor");
   command->callback([&commands, options] { commands.exit_code = serve(*options); });
 }

@@ -2,27 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
 #include "model/camera_file.h"
 #include "rig/messages.h"
+#include "rig/own_folder.h"
 
 namespace mirada::rig {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr double kSameShape = 0.01;
-
-fs::path own_folder() {
-  if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data != '\0') {
-    return fs::path(data) / "mirada/cameras";
-  }
-  const char* home = std::getenv("HOME");
-  return fs::path(home != nullptr ? home : ".") / ".local/share/mirada/cameras";
-}
 
 /// What the robot's file names as its calibration, "" if nothing.
 std::string named_calibration(const fs::path& robot_file) {
@@ -53,7 +45,7 @@ fs::path free_name(const fs::path& file) {
 fs::path kept_camera_file(const std::string& robot, bool simulated) {
   const std::vector<std::string> ids = shipped_robots();
   const char* ending = simulated ? ".simulated.camera.json" : ".camera.json";
-  if (std::find(ids.begin(), ids.end(), robot) != ids.end()) return own_folder() / (robot + ending);
+  if (std::find(ids.begin(), ids.end(), robot) != ids.end()) return own_folder() / "cameras" / (robot + ending);
   const fs::path file(robot);
   if (!simulated) {
     if (const std::string named = named_calibration(file); !named.empty()) return file.parent_path() / named;

@@ -19,6 +19,7 @@ constexpr double kPatchLike = 0.6;  // normalised correlation
 void FaceWatch::forget() {
   tracker_.forget();
   bodies_.forget();
+  namer_.forget();
   patches_.clear();
   searched_ = false;
 }
@@ -37,6 +38,7 @@ FacesPercept FaceWatch::look(const Frame& frame, const NeckAngles& neck, const P
   tracker_.follow(seen, neck, X_OR);
   if (search && usable) keep_patches(seen);
   if (usable) follow_bodies(frame, neck, X_OR, seen);
+  namer_.look(frame.bgr, seen, search && usable);
   std::sort(seen.faces.begin(), seen.faces.end(), [](const FacePercept& a, const FacePercept& b) {
     return std::tuple(-a.w_px, a.x_px, a.y_px) < std::tuple(-b.w_px, b.x_px, b.y_px);
   });

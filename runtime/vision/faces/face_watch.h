@@ -6,16 +6,19 @@
 #include "vision/face_finder.h"
 #include "vision/faces/body_tracker.h"
 #include "vision/faces/face_tracker.h"
+#include "vision/identity/face_namer.h"
 
 namespace mirada::vision {
 
 /// Faces through time: looks for them now and then with a FaceFinder, follows
 /// their patches from picture to picture in between (which costs next to
-/// nothing), numbers them. One thread.
+/// nothing), numbers them, and names those who were learnt. One thread.
 class FaceWatch {
  public:
-  FaceWatch(const RobotConfig& robot, std::unique_ptr<FaceFinder> finder)
-      : finder_(std::move(finder)), tracker_(robot) {}
+  /// `book`: who is known.
+  FaceWatch(const RobotConfig& robot, std::unique_ptr<FaceFinder> finder,
+            std::shared_ptr<FaceBook> book = std::make_shared<FaceBook>())
+      : finder_(std::move(finder)), tracker_(robot), namer_(std::move(book)) {}
 
   /// Odometry at the exposure. Pictures in their order.
   FacesPercept look(const Frame& frame, const NeckAngles& neck, const Pose2& X_OR);
@@ -44,6 +47,7 @@ class FaceWatch {
   std::unique_ptr<FaceFinder> finder_;
   FaceTracker tracker_;
   BodyTracker bodies_;
+  FaceNamer namer_;
   std::vector<Patch> patches_;
   cv::Mat gray_;
   Micros searched_at_ = 0;

@@ -76,6 +76,20 @@ class FakeStation final : public session::Station {
     return picture_;
   }
 
+  session::KnownFaces known_faces() const override {
+    const std::lock_guard lock(mutex_);
+    return known_faces_;
+  }
+  Status change_faces(const session::FacesStep& step) override {
+    using Action = session::FacesStep::Action;
+    const char* names[] = {"allow", "rename", "forget", "forget_all"};
+    log(std::string("faces ") + names[static_cast<std::size_t>(step.action)] + " " + step.name);
+    if (step.name == "nobody") return make_fault("", messages::field_missing, {{"field", "name"}});
+    const std::lock_guard lock(mutex_);
+    ++known_faces_.revision;
+    if (step.action == Action::allow) known_faces_.allowed = step.on;
+    return Ok{};
+  }
   std::vector<session::Option> cameras() const override { return {{"cam", "Cam", "Cámara"}}; }
   Status calibrate(const session::CalibrationStep& step) override {
     using Action = session::CalibrationStep::Action;
@@ -148,6 +162,7 @@ class FakeStation final : public session::Station {
   mutable std::mutex log_mutex_;
   std::vector<std::string> log_;
   std::vector<std::function<void(Result<vm::MonitorValue>)>> answers;
+  session::KnownFaces known_faces_;
   session::Setup setup_{"room1", "bot", 1, true};
   std::shared_ptr<const session::Telemetry> telemetry_ = std::make_shared<const session::Telemetry>();
   std::shared_ptr<const session::Picture> picture_;

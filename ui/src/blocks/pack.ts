@@ -11,7 +11,7 @@ export interface PackArg {
   unit?: string;
   min?: number;
   max?: number;
-  default?: number | string | boolean;
+  default?: number | string | boolean | Words;
   options?: { value: string; text: Words }[];
 }
 

@@ -27,7 +27,8 @@ function shadowOf(arg: PackArg): BlockState | null {
   const shadow = shadowTypes[arg.type];
   if (!shadow) return null;
   const fallback = arg.type === 'text' ? '' : 0;
-  return { type: shadow.type, fields: { [shadow.field]: arg.default ?? fallback } };
+  const value = typeof arg.default === 'object' ? say(arg.default) : (arg.default ?? fallback);
+  return { type: shadow.type, fields: { [shadow.field]: value } };
 }
 
 /** A block as it lies in the toolbox: with shadows that hold the defaults. */

@@ -1,0 +1,106 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "model/percepts.h"
+#include "vision/identity/face_describer.h"
+
+namespace mirada::vision {
+
+/// The people whose faces were learnt: a name and features each, never pictures; and whether anybody may be
+/// learnt or recognised at all, which a teacher decides (off at first). Kept in one file, written atomically,
+/// or in memory only. Every call may come from any thread.
+class FaceBook {
+ public:
+  static constexpr std::size_t kMostPeople = 60;
+  static constexpr std::size_t kMostLooks = 12;  ///< of one person; the oldest give way
+  static constexpr std::size_t kLongestName = 40;
+
+  /// In memory only.
+  FaceBook() = default;
+  /// Kept in this file, which need not exist yet. A file that cannot be read is a fault and stays as it is.
+  static Result<std::shared_ptr<FaceBook>> open(const std::filesystem::path& file);
+
+  /// What this file holds, allowed and in memory only: changes are not written. No file: nobody.
+  static Result<std::shared_ptr<FaceBook>> copy_of(const std::filesystem::path& file);
+
+  bool allowed() const;
+  Status allow(bool on);
+
+  struct Person {
+    std::string name;
+    std::size_t looks = 0;
+  };
+  std::vector<Person> people() const;  ///< by name
+  /// Grows with every change of people or of allowed().
+  std::uint64_t revision() const;
+
+  Status learn(const std::string& name, const std::string& kind, const std::vector<FaceFeature>& looks);
+  Status rename(const std::string& name, const std::string& to);
+  Status forget(const std::string& name);
+  Status forget_all();
+
+  /// Who a feature is most like, of those with features of this kind; "" when there is nobody.
+  struct Match {
+    std::string name;
+    double likeness = 0;
+    double next_likeness = 0;  ///< of the second
+  };
+  Match match(const FaceFeature& feature, const std::string& kind) const;
+
+  // A lesson: one at a time; a new one takes the place of the old.
+
+  /// Begins to learn this name; its number.
+  std::uint64_t begin_lesson(const std::string& name);
+  /// How it goes, or nothing when none goes on.
+  std::optional<LessonPercept> lesson() const;
+  std::uint64_t lesson_number() const;
+  /// One more look, or only what to do.
+  void teach(std::uint64_t lesson, const std::string& kind, std::optional<FaceFeature> look,
+             const Message* hint);
+  /// The looks of the lesson so far.
+  std::vector<FaceFeature> lesson_looks() const;
+  /// Ends it: its looks are learnt, or dropped. Nothing happens when it is over already.
+  Status end_lesson(std::uint64_t lesson, bool keep);
+
+  static constexpr int kLessonLooks = 8;
+  static constexpr int kFewestLooks = 3;  ///< a shorter lesson is none
+
+ private:
+  struct Known {
+    std::string name;
+    std::string kind;
+    std::vector<FaceFeature> looks;
+  };
+  struct Lesson {
+    std::uint64_t number = 0;
+    std::string name;
+    std::string kind;
+    std::vector<FaceFeature> looks;
+    const Message* hint = nullptr;
+  };
+
+  explicit FaceBook(std::filesystem::path file) : file_(std::move(file)) {}
+  Status read(const std::string& text);
+  Status save(std::vector<Known> people, bool allowed);
+  Status add(const std::string& name, const std::string& kind, const std::vector<FaceFeature>& looks);
+
+  mutable std::mutex mutex_;
+  std::filesystem::path file_;  ///< "" = in memory only
+  std::vector<Known> people_;   ///< by name
+  bool allowed_ = false;
+  std::uint64_t revision_ = 1;
+  std::optional<Lesson> lesson_;
+  std::uint64_t lessons_ = 0;
+};
+
+/// Whether this may be somebody's name: 1 to 40 characters of text.
+Status check_face_name(const std::string& name);
+
+}  // namespace mirada::vision
