@@ -171,7 +171,8 @@ session::KnownFaces LiveStation::known_faces() const {
   session::KnownFaces out;
   out.revision = book_->revision();
   out.allowed = book_->allowed();
-  for (const vision::FaceBook::Person& person : book_->people()) out.people.push_back({person.name, person.looks});
+  for (const vision::FaceBook::Person& person : book_->people())
+    out.people.push_back({person.name, person.looks});
   return out;
 }
 

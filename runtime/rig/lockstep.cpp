@@ -61,7 +61,7 @@ class Lockstep {
   explicit Lockstep(const LockstepOptions& options)
       : options_(options),
         body_(options),
-        robot_(options.robot, body_.devices(), 
+        robot_(options.robot, body_.devices(),
                make_detectors(options.robot, options.face_model,
                               options.book ? options.book : std::make_shared<vision::FaceBook>()),
                robot::Timing::simulated, clock_, clock_),

@@ -22,7 +22,8 @@ Result<std::unique_ptr<session::Station>> make_station(const StationOptions& opt
   parts->face_model = options.face_model;
   const auto faces = vision::check_face_model(options.face_model);
   if (!faces) return faces.faults();
-  auto book = vision::FaceBook::open(options.faces.empty() ? known_faces_file() : std::filesystem::path(options.faces));
+  auto book = vision::FaceBook::open(options.faces.empty() ? known_faces_file()
+                                                           : std::filesystem::path(options.faces));
   if (!book) return book.faults();
   parts->book = *book;
   for (const Fault& note : parts->notes) tell(note);

@@ -24,7 +24,7 @@ struct StationOptions {
   Lang lang = Lang::en;
   std::shared_ptr<const packs::PackSet> packs;  ///< never null
   std::string place{};                          ///< id or file of a place; "" = the robot has no map
-  std::string faces{};  ///< file of the known faces; "" = known_faces_file()
+  std::string faces{};                          ///< file of the known faces; "" = known_faces_file()
 };
 
 /// Builds the robot, its room when it is simulated, and a live session on it (its own threads, motors at

@@ -38,7 +38,8 @@ inline constexpr Message faces_not_allowed{
     "Learning and recognising faces is off here. A teacher can allow it, under Known faces.",
     "Aprender y reconocer caras está apagado aquí. Un profesor puede permitirlo, en Caras conocidas."};
 inline constexpr Message face_not_learnt{
-    "face_not_learnt", "I could not see the face well enough to learn it as {name}. Come near and look at me.",
+    "face_not_learnt",
+    "I could not see the face well enough to learn it as {name}. Come near and look at me.",
     "No pude ver la cara lo bastante bien para aprenderla como {name}. Acércate y mírame."};
 
 inline constexpr Message place_lost{"place_lost",

@@ -9,7 +9,20 @@
 
 namespace mirada::server {
 
-enum class ClientVerb { hello, run, stop, pause, key, evaluate, choose, put_back, watch, release, calibrate, faces };
+enum class ClientVerb {
+  hello,
+  run,
+  stop,
+  pause,
+  key,
+  evaluate,
+  choose,
+  put_back,
+  watch,
+  release,
+  calibrate,
+  faces
+};
 
 /// One message of docs/protocol.md from a client. Which fields mean something depends on the verb.
 struct ClientMessage {

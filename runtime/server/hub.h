@@ -77,8 +77,8 @@ class Hub {
   void handle(Viewer& viewer, const ReadMessage& read);
   void hello(Viewer& viewer, const ClientMessage& message);
   void check_code(Viewer& viewer, const std::string& code);
-  /// Whether this is the code; a wrong one counts.
-  bool right_code(Viewer& viewer, const std::string& typed, const std::string& code);
+  /// Why this is not the code, or null when it is; a wrong one counts.
+  const Message* code_trouble(Viewer& viewer, const std::string& typed, const std::string& code);
   void run(Viewer& viewer, const std::string& program);
   void start_in_background(ViewerId id, std::string program);
   void evaluate(Viewer& viewer, const ClientMessage& message);
@@ -131,7 +131,7 @@ class Hub {
   std::shared_ptr<const session::Picture> picture_;
   std::shared_ptr<const session::Calibration> calibration_;
   Micros calibration_sent_;
-  std::string camera_words_;        ///< as sent last
+  std::string camera_words_;          ///< as sent last
   std::uint64_t faces_revision_ = 0;  ///< as sent last
 };
 

@@ -99,20 +99,18 @@ void Hub::hello(Viewer& viewer, const ClientMessage& message) {
 }
 
 void Hub::check_code(Viewer& viewer, const std::string& code) {
-  viewer.may_drive = right_code(viewer, code, wiring_.join_code);
+  const Message* trouble = code_trouble(viewer, code, wiring_.join_code);
+  viewer.may_drive = trouble == nullptr;
+  if (trouble != nullptr) viewer.link->send_control(notice_text(*trouble));
 }
 
-bool Hub::right_code(Viewer& viewer, const std::string& typed, const std::string& code) {
+const Message* Hub::code_trouble(Viewer& viewer, const std::string& typed, const std::string& code) {
   const Micros now = wiring_.clock.now();
-  if (!viewer.code_tries.allows(now) || !wrong_codes_.allows(now)) {
-    viewer.link->send_control(notice_text(messages::code_wait));
-    return false;
-  }
+  if (!viewer.code_tries.allows(now) || !wrong_codes_.allows(now)) return &messages::code_wait;
   viewer.code_tries.count(now);
-  if (same_code(typed, code)) return true;
+  if (same_code(typed, code)) return nullptr;
   wrong_codes_.count(now);
-  viewer.link->send_control(notice_text(messages::code_wrong));
-  return false;
+  return &messages::code_wrong;
 }
 
 bool Hub::may_drive(Viewer& viewer, std::string_view verb) {
@@ -238,8 +236,11 @@ void Hub::change_faces(Viewer& viewer, const session::FacesStep& step) {
   if (!viewer.may_drive) return refuse(viewer, "faces", messages::code_needed);
   // To switch it off needs no code.
   const bool guarded = step.action == session::FacesStep::Action::allow && step.on;
-  if (guarded && !wiring_.teacher_code.empty() && !right_code(viewer, step.code, wiring_.teacher_code))
-    return refuse(viewer, "faces", messages::teacher_code_needed);
+  if (guarded && !wiring_.teacher_code.empty()) {
+    if (step.code.empty()) return refuse(viewer, "faces", messages::teacher_code_needed);
+    const Message* trouble = code_trouble(viewer, step.code, wiring_.teacher_code);
+    if (trouble != nullptr) return refuse(viewer, "faces", *trouble);
+  }
   if (!begin_job(viewer, "faces")) return;
   wiring_.background([this, id = viewer.id, step] {
     const Status done = wiring_.station.change_faces(step);

@@ -49,6 +49,18 @@ std::string sonar_text(const SonarPercept& sonar) {
   return out + "]}";
 }
 
+const char* who_text(Familiar familiar) {
+  return familiar == Familiar::known ? "known" : familiar == Familiar::stranger ? "stranger" : "unsure";
+}
+
+json lesson_json(const std::optional<LessonPercept>& lesson) {
+  if (!lesson) return nullptr;
+  return {{"name", lesson->name},
+          {"looks", lesson->looks},
+          {"needed", lesson->needed},
+          {"hint", lesson->hint == nullptr ? json(nullptr) : both_languages(*lesson->hint, {})}};
+}
+
 json face_json(const FacePercept& face) {
   return {{"id", face.id},
           {"x", face.x_px},
@@ -60,7 +72,8 @@ json face_json(const FacePercept& face) {
           {"distance_m", face.distance_m},
           {"sigma_m", face.sigma_m},
           {"predicted", face.predicted},
-          {"name", face.name}};
+          {"name", face.name},
+          {"who", who_text(face.familiar)}};
 }
 
 std::string faces_text(const session::Telemetry& telemetry) {
@@ -78,6 +91,7 @@ std::string faces_text(const session::Telemetry& telemetry) {
                {"detector", percept.detector},
                {"faces", faces},
                {"bodies", bodies},
+               {"lesson", lesson_json(percept.lesson)},
                {"follow", {{"state", telemetry.follow_state}, {"id", telemetry.follow_id}}}});
 }
 

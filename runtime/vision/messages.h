@@ -43,8 +43,8 @@ inline constexpr Message face_unknown_name{"face_unknown_name", "I know nobody c
                                            "No conozco a nadie que se llame {name}."};
 inline constexpr Message face_name_taken{"face_name_taken", "I already know somebody called {name}.",
                                          "Ya conozco a alguien que se llama {name}."};
-inline constexpr Message face_name_bad{
-    "face_name_bad", "A name needs 1 to {max} characters.", "Un nombre necesita de 1 a {max} caracteres."};
+inline constexpr Message face_name_bad{"face_name_bad", "A name needs 1 to {max} characters.",
+                                       "Un nombre necesita de 1 a {max} caracteres."};
 inline constexpr Message lesson_show_face{"lesson_show_face", "Show me your face.", "Enséñame tu cara."};
 inline constexpr Message lesson_closer{"lesson_closer", "Come a little closer.", "Acércate un poco."};
 inline constexpr Message lesson_one_only{"lesson_one_only", "Only one person in the picture, please.",

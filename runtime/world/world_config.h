@@ -83,7 +83,7 @@ struct PersonConfig {
   Colour shirt{70, 110, 180};
   Colour hair{70, 48, 32};
   Colour skin{224, 180, 150};
-  int face = 0;  ///< whose face it is: another number, another face
+  int face = 0;                         ///< whose face it is: another number, another face
   std::vector<Eigen::Vector2d> path_m;  ///< corners to walk to, in turn, for ever
   double speed_mps = 0.3;
   bool watches_robot = false;  ///< looks at the robot wherever they walk, backwards too

@@ -89,8 +89,9 @@ void add_action(CLI::App& faces, Commands& commands, const std::shared_ptr<Faces
 void add_faces(Commands& commands) {
   auto options = std::make_shared<FacesOptions>();
   CLI::App* faces = commands.app.add_subcommand(
-      "faces", "The faces that were learnt: list, learn from pictures, rename, forget, allow. Not while mirada "
-               "serve runs on the same file: there the editor does it.");
+      "faces",
+      "The faces that were learnt: list, learn from pictures, rename, forget, allow. Not while mirada "
+      "serve runs on the same file: there the editor does it.");
   faces->require_subcommand(1);
   faces->add_option("--file", options->file, "The file; without it known.json in the user's own folder");
   faces->add_option("--lang", options->lang, "en or es")->check(CLI::IsMember({"en", "es"}));
@@ -113,7 +114,9 @@ void add_faces(Commands& commands) {
         name(action);
         action.add_option("TO", options->to, "The new name")->required();
       },
-      [options](vision::FaceBook& book) { return finish(book.rename(options->name, options->to), *options); });
+      [options](vision::FaceBook& book) {
+        return finish(book.rename(options->name, options->to), *options);
+      });
   add_action(*faces, commands, options, "forget", "Forget somebody", name,
              [options](vision::FaceBook& book) { return finish(book.forget(options->name), *options); });
   add_action(*faces, commands, options, "forget-all", "Forget everybody", nothing,

@@ -47,6 +47,8 @@ session::RunReport run(const std::string& program, world::WorldConfig room, doub
   options.robot = *robot_by_name("mirada-sim");
   options.seed = 2;
   options.seconds = seconds;
+  options.book = std::make_shared<vision::FaceBook>();
+  EXPECT_TRUE(options.book->allow(true).ok());
   return run_lockstep(program, options);
 }
 

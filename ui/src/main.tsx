@@ -5,6 +5,7 @@ import './styles/controls.css';
 import './styles/page.css';
 import './styles/stage.css';
 import './styles/calibrate.css';
+import './styles/faces.css';
 import './styles/blocks.css';
 import { App } from './app';
 import { lang } from './messages';

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { faceWords, noteTrails } from '../src/stage/faces_draw';
+import { faceWords, lessonWords, noteTrails } from '../src/stage/faces_draw';
 import type { Face, Faces } from '../src/wire/protocol';
 
 const face = (id: number, x: number, extra: Partial<Face> = {}): Face => ({
@@ -14,6 +14,7 @@ const face = (id: number, x: number, extra: Partial<Face> = {}): Face => ({
   sigma_m: 0.1,
   predicted: false,
   name: '',
+  who: 'unsure',
   ...extra,
 });
 const seen = (frame: number, faces: Face[], bodies: Face[] = []): Faces => ({
@@ -25,6 +26,7 @@ const seen = (frame: number, faces: Face[], bodies: Face[] = []): Faces => ({
   faces,
   bodies,
   follow: { state: '', id: 0 },
+  lesson: null,
 });
 
 test('a trail grows with each picture, not with each drawing, and ends when the face has gone', () => {
@@ -48,4 +50,10 @@ test('a face says who it is, how far away, and what following does with it', () 
     'Ana · 1.2 m · going by where they went',
   );
   expect(faceWords(face(3, 0), { state: 'following', id: 4 })).toBe('3 · 1.2 m');
+});
+
+test('a lesson says how far it is and what to do', () => {
+  const hint = { en: 'Look at me.', es: 'Mírame.' };
+  expect(lessonWords({ name: 'Ana', looks: 3, needed: 8, hint })).toBe('Ana: 3 of 8. Look at me.');
+  expect(lessonWords({ name: 'Ana', looks: 3, needed: 8, hint: null })).toBe('Ana: 3 of 8.');
 });

@@ -45,7 +45,8 @@ fs::path free_name(const fs::path& file) {
 fs::path kept_camera_file(const std::string& robot, bool simulated) {
   const std::vector<std::string> ids = shipped_robots();
   const char* ending = simulated ? ".simulated.camera.json" : ".camera.json";
-  if (std::find(ids.begin(), ids.end(), robot) != ids.end()) return own_folder() / "cameras" / (robot + ending);
+  if (std::find(ids.begin(), ids.end(), robot) != ids.end())
+    return own_folder() / "cameras" / (robot + ending);
   const fs::path file(robot);
   if (!simulated) {
     if (const std::string named = named_calibration(file); !named.empty()) return file.parent_path() / named;

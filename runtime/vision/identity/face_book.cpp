@@ -21,8 +21,8 @@ Fault unknown_name(const std::string& name) {
 }
 
 std::size_t characters(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 bool is_utf8(const std::string& text) {
@@ -107,8 +107,8 @@ Status FaceBook::save(std::vector<Known> people, bool allowed) {
     if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path(), error);
     const Status written = write_file_atomically(file_, out.dump() + "\n");
     if (!written) return written;
-    std::filesystem::permissions(file_, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write,
-                                 error);
+    std::filesystem::permissions(
+        file_, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write, error);
   }
   people_ = std::move(people);
   allowed_ = allowed;
@@ -170,8 +170,7 @@ Status FaceBook::rename(const std::string& name, const std::string& to) {
   const auto known = by_name(people, name);
   if (known == people.end()) return unknown_name(name);
   if (name == to) return Ok{};
-  if (by_name(people, to) != people.end())
-    return make_fault("", messages::face_name_taken, {{"name", to}});
+  if (by_name(people, to) != people.end()) return make_fault("", messages::face_name_taken, {{"name", to}});
   known->name = to;
   return save(std::move(people), allowed_);
 }

@@ -58,7 +58,8 @@ cv::Mat cut(const cv::Mat& bgr, const cv::Rect2d& area, int side_px) {
   cv::Mat out;
   if (scale < 0.6) {
     // Far smaller than it was: with an average of the pixels, not one of them.
-    const cv::Rect whole = cv::Rect(cvFloor(area.x), cvFloor(area.y), cvCeil(area.width), cvCeil(area.height));
+    const cv::Rect whole =
+        cv::Rect(cvFloor(area.x), cvFloor(area.y), cvCeil(area.width), cvCeil(area.height));
     const cv::Rect in = whole & cv::Rect({}, bgr.size());
     cv::Mat padded;
     cv::copyMakeBorder(bgr(in), padded, in.y - whole.y, whole.br().y - in.br().y, in.x - whole.x,
@@ -134,7 +135,8 @@ FaceDescriber FaceDescriber::open() {
 }
 
 /// Strangers come near 0 by the networks (at most 0.1 among the photographs that may be used here), the same
-/// person months apart between 0.5 and 0.8; by patterns strangers come near 0.5, the same person to 0.7 to 0.95.
+/// person months apart between 0.5 and 0.8; by patterns strangers come near 0.5, the same person to 0.7 to
+/// 0.95.
 double FaceDescriber::same_from() const { return kind_ == "network-1" ? 0.46 : 0.69; }
 
 std::optional<cv::Mat> FaceDescriber::upright(const cv::Mat& bgr, const cv::Rect2d& face_px) {

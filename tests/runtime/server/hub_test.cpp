@@ -49,7 +49,7 @@ class HubTest : public testing::Test {
   };
 
   std::unique_ptr<Hub> make(const std::string& code = "") {
-    return std::make_unique<Hub>(HubWiring{station_, clock_, code,
+    return std::make_unique<Hub>(HubWiring{station_, clock_, code, "TEACH1",
                                            [this](Job job) { jobs_.push_back(std::move(job)); },
                                            [](Job job) { job(); }});
   }
@@ -466,6 +466,41 @@ TEST_F(HubTest, a_refused_calibration_says_why) {
   say(ann, {{"type", "calibrate"}, {"action", "begin"}, {"size", "0x0"}});
   do_jobs();
   EXPECT_EQ(ann->last("refused")["faults"][0]["place"], "size");
+}
+
+TEST_F(HubTest, only_with_the_teachers_code_may_faces_be_learnt_and_without_it_no_longer) {
+  const Client child = join("child");
+  EXPECT_EQ(child->last("known_faces")["allowed"], false);
+  say(child, {{"type", "faces"}, {"action", "allow"}, {"on", true}});
+  EXPECT_EQ(child->last("refused")["faults"][0]["code"], "teacher_code_needed");
+  say(child, {{"type", "faces"}, {"action", "allow"}, {"on", true}, {"code", "WRONG1"}});
+  EXPECT_EQ(child->last("refused")["faults"][0]["code"], "code_wrong");
+  EXPECT_TRUE(jobs_.empty());
+  say(child, {{"type", "faces"}, {"action", "allow"}, {"on", true}, {"code", "teach1"}});
+  do_jobs();
+  hub_->tick();
+  EXPECT_EQ(child->last("known_faces")["allowed"], true);
+  say(child, {{"type", "faces"}, {"action", "allow"}, {"on", false}});
+  do_jobs();
+  hub_->tick();
+  EXPECT_EQ(child->last("known_faces")["allowed"], false);
+}
+
+TEST_F(HubTest, known_faces_are_renamed_and_forgotten_and_shown_only_to_those_who_may_drive) {
+  hub_ = make("SECRET");
+  const Client watcher = join("watcher", true);
+  const Client driver = join("driver");
+  EXPECT_THAT(watcher->of("known_faces"), IsEmpty());
+  say(watcher, {{"type", "faces"}, {"action", "forget_all"}});
+  EXPECT_EQ(watcher->last("refused")["faults"][0]["code"], "code_needed");
+  station_.forget_calls();
+  say(driver, {{"type", "faces"}, {"action", "rename"}, {"name", "Ana"}, {"to", "Eva"}});
+  say(driver, {{"type", "faces"}, {"action", "forget"}, {"name", "nobody"}});
+  do_jobs();
+  hub_->tick();
+  EXPECT_THAT(station_.calls(), Contains("faces rename Ana"));
+  EXPECT_EQ(driver->last("refused")["to"], "faces");
+  EXPECT_THAT(watcher->of("known_faces"), IsEmpty());
 }
 
 TEST_F(HubTest, what_is_known_of_the_camera_reaches_those_who_come_later_too) {

@@ -35,7 +35,7 @@ function makeField(arg: PackArg): Blockly.Field {
 
 function withDefault(options: [string, string][], arg: PackArg): Blockly.Field {
   const field = new Blockly.FieldDropdown(options.length ? options : [[' ', '']]);
-  if (arg.default !== undefined) field.setValue(String(arg.default));
+  if (typeof arg.default === 'string') field.setValue(arg.default);
   return field;
 }
 

@@ -1,6 +1,6 @@
 /** Faces on the live picture: box, who, how far, where they came from, and what following does. */
-import { type MessageKey, t } from '../messages';
-import type { Face, Faces } from '../wire/protocol';
+import { type MessageKey, say, t } from '../messages';
+import type { Face, Faces, Lesson } from '../wire/protocol';
 import { drawLabel } from './overlays';
 
 type Pen = CanvasRenderingContext2D;
@@ -39,6 +39,12 @@ export function faceWords(face: Face, follow: Faces['follow']): string {
   return parts.join(' · ');
 }
 
+/** "Ana: 3 of 8. Come a little closer." */
+export function lessonWords(lesson: Lesson): string {
+  const progress = t('faces_lesson', { name: lesson.name, looks: lesson.looks, needed: lesson.needed });
+  return lesson.hint ? `${progress} ${say(lesson.hint)}` : progress;
+}
+
 function box(pen: Pen, face: Face, scale: number, colour: string): void {
   pen.beginPath();
   pen.roundRect(face.x * scale, face.y * scale, face.w * scale, face.h * scale, 10);
@@ -71,6 +77,8 @@ export function drawFaces(pen: Pen, faces: Faces, scale: number, colour: string)
     if (face.id > 0)
       drawLabel(pen, faceWords(face, faces.follow), (face.x + face.w / 2) * scale, face.y * scale, colour);
   }
+  if (faces.lesson)
+    drawLabel(pen, lessonWords(faces.lesson), pen.canvas.getBoundingClientRect().width / 2, 80, colour);
   const { state, id } = faces.follow;
   const words = states[state];
   if (words && ![...faces.bodies, ...faces.faces].some((face) => face.id === id))

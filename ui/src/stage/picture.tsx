@@ -1,7 +1,9 @@
 import { useComputed, useSignalEffect } from '@preact/signals';
 import { useRef } from 'preact/hooks';
 import { type MessageKey, lang, t } from '../messages';
+import { openFaces } from '../dialogs/faces_dialog';
 import { editor } from '../state/editor';
+import { knownFaces } from '../state/known_faces';
 import { panels, togglePanel } from '../state/panels';
 import { picture, telemetry } from '../state/robot';
 import { drawFaces } from './faces_draw';
@@ -81,6 +83,11 @@ export function Picture() {
         >
           {plainFaces.value ? t('show_faces_plain') : t('show_faces')}
         </button>
+        {knownFaces.value && (
+          <button type="button" class="chip" data-testid="known-faces" onClick={openFaces}>
+            {t('faces_known')}
+          </button>
+        )}
       </header>
       <div
         class={telemetry.value?.camera_trouble ? 'picture-frame stale' : 'picture-frame'}

@@ -7,6 +7,7 @@ import type { Program } from '../model/program';
 import type { Words } from '../model/words';
 import { Connection, type Link } from '../wire/connection';
 import { calibration, cameras, leaving } from './calibration';
+import { facesRefused, knownFaces } from './known_faces';
 import type {
   Choice,
   Fault,
@@ -156,6 +157,10 @@ function receive(message: FromRobot): void {
       calibration.value = message;
       if (message.phase === 'off') leaving.value = false;
       break;
+    case 'known_faces':
+      knownFaces.value = message;
+      facesRefused.value = null;
+      break;
     case 'value':
       waiting.get(message.request)?.(message);
       waiting.delete(message.request);
@@ -169,6 +174,7 @@ function refused(to: string, list: Fault[]): void {
     codeWanted.value += 1;
     return;
   }
+  if (to === 'faces') facesRefused.value = list[0]?.message ?? null;
   if (to !== 'run') {
     for (const fault of list) noteWords(fault.severity, fault.message);
     return;

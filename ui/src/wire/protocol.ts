@@ -63,6 +63,15 @@ export interface Face {
   /** Not seen in this picture: where it should be. */
   predicted: boolean;
   name: string;
+  who: 'known' | 'stranger' | 'unsure';
+}
+
+/** A face is being learnt. */
+export interface Lesson {
+  name: string;
+  looks: number;
+  needed: number;
+  hint: Words | null;
 }
 
 export interface Faces {
@@ -75,6 +84,7 @@ export interface Faces {
   /** People followed by what they wear while their face is not seen. */
   bodies: Face[];
   follow: { state: FollowState; id: number };
+  lesson: Lesson | null;
 }
 
 export type Point = [x: number, y: number];
@@ -177,6 +187,10 @@ export type ToRobot =
   | { type: 'put_back' }
   | { type: 'calibrate'; action: 'begin'; board: string; size: string; square_mm: number; camera: string }
   | { type: 'calibrate'; action: 'take' | 'finish' | 'save' | 'cancel' }
+  | { type: 'faces'; action: 'allow'; on: boolean; code: string }
+  | { type: 'faces'; action: 'rename'; name: string; to: string }
+  | { type: 'faces'; action: 'forget'; name: string }
+  | { type: 'faces'; action: 'forget_all' }
   | ({ type: 'watch' } & Watch)
   | { type: 'release' };
 
@@ -207,6 +221,7 @@ export type FromRobot =
   | { type: 'refused'; to: string; faults: Fault[] }
   | { type: 'stopped' }
   | { type: 'value'; request: number; value?: Value; fault?: Fault }
+  | { type: 'known_faces'; allowed: boolean; people: { name: string; looks: number }[] }
   | ({ type: 'calibration' } & CalibrationState)
   | { type: 'setup'; setup: Setup };
 
