@@ -1,86 +1,7 @@
-#include "server/hub.h"
-
-#include <deque>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
-
-#include "fake_station.h"
+#include "hub_fixture.h"
 
 namespace mirada::server {
 namespace {
-
-using nlohmann::json;
-using testing::Contains;
-using testing::ElementsAre;
-using testing::IsEmpty;
-
-struct FakeLink final : ViewerLink {
-  void send_control(std::string text) override { control.push_back(json::parse(text)); }
-  void offer_telemetry(SharedBytes text) override { telemetry.push_back(json::parse(*text)); }
-  void offer_picture(SharedBytes bytes) override { pictures.push_back(std::move(bytes)); }
-  void close(std::uint16_t code, const char*) override { closed = code; }
-
-  std::vector<json> of(const std::string& type) const {
-    std::vector<json> out;
-    for (const json& message : control) {
-      if (message["type"] == type) out.push_back(message);
-    }
-    return out;
-  }
-  json last(const std::string& type) const {
-    const std::vector<json> all = of(type);
-    return all.empty() ? json() : all.back();
-  }
-
-  std::vector<json> control;
-  std::vector<json> telemetry;
-  std::vector<SharedBytes> pictures;
-  int closed = 0;
-};
-
-class HubTest : public testing::Test {
- protected:
-  struct Client {
-    std::shared_ptr<FakeLink> link = std::make_shared<FakeLink>();
-    Hub::ViewerId id = 0;
-    FakeLink* operator->() const { return link.get(); }
-  };
-
-  std::unique_ptr<Hub> make(const std::string& code = "") {
-    return std::make_unique<Hub>(HubWiring{station_, clock_, code, "TEACH1",
-                                           [this](Job job) { jobs_.push_back(std::move(job)); },
-                                           [](Job job) { job(); }});
-  }
-  Client join(const std::string& name, bool needs_code = false, const std::string& code = "") {
-    Client client;
-    client.id = hub_->join(client.link, needs_code);
-    greet(client, name, code);
-    return client;
-  }
-  void greet(const Client& client, const std::string& name, const std::string& code = "") {
-    say(client, {{"type", "hello"}, {"version", 1}, {"client", "client-" + name}, {"code", code}});
-  }
-  void say(const Client& client, const json& message) { hub_->receive(client.id, message.dump()); }
-  void do_jobs() {
-    while (!jobs_.empty()) {
-      const Job job = std::move(jobs_.front());
-      jobs_.pop_front();
-      job();
-    }
-  }
-  void run(const Client& client) {
-    say(client, {{"type", "run"}, {"program", "p"}});
-    do_jobs();
-  }
-  static std::string code_of(const json& refused) { return refused["faults"][0]["code"]; }
-
-  FakeStation station_;
-  ManualClock clock_;
-  std::deque<Job> jobs_;
-  std::unique_ptr<Hub> hub_ = make();
-};
 
 TEST_F(HubTest, hello_is_answered_with_all_a_client_needs) {
   const Client ann = join("ann");
@@ -466,41 +387,6 @@ TEST_F(HubTest, a_refused_calibration_says_why) {
   say(ann, {{"type", "calibrate"}, {"action", "begin"}, {"size", "0x0"}});
   do_jobs();
   EXPECT_EQ(ann->last("refused")["faults"][0]["place"], "size");
-}
-
-TEST_F(HubTest, only_with_the_teachers_code_may_faces_be_learnt_and_without_it_no_longer) {
-  const Client child = join("child");
-  EXPECT_EQ(child->last("known_faces")["allowed"], false);
-  say(child, {{"type", "faces"}, {"action", "allow"}, {"on", true}});
-  EXPECT_EQ(child->last("refused")["faults"][0]["code"], "teacher_code_needed");
-  say(child, {{"type", "faces"}, {"action", "allow"}, {"on", true}, {"code", "WRONG1"}});
-  EXPECT_EQ(child->last("refused")["faults"][0]["code"], "code_wrong");
-  EXPECT_TRUE(jobs_.empty());
-  say(child, {{"type", "faces"}, {"action", "allow"}, {"on", true}, {"code", "teach1"}});
-  do_jobs();
-  hub_->tick();
-  EXPECT_EQ(child->last("known_faces")["allowed"], true);
-  say(child, {{"type", "faces"}, {"action", "allow"}, {"on", false}});
-  do_jobs();
-  hub_->tick();
-  EXPECT_EQ(child->last("known_faces")["allowed"], false);
-}
-
-TEST_F(HubTest, known_faces_are_renamed_and_forgotten_and_shown_only_to_those_who_may_drive) {
-  hub_ = make("SECRET");
-  const Client watcher = join("watcher", true);
-  const Client driver = join("driver");
-  EXPECT_THAT(watcher->of("known_faces"), IsEmpty());
-  say(watcher, {{"type", "faces"}, {"action", "forget_all"}});
-  EXPECT_EQ(watcher->last("refused")["faults"][0]["code"], "code_needed");
-  station_.forget_calls();
-  say(driver, {{"type", "faces"}, {"action", "rename"}, {"name", "Ana"}, {"to", "Eva"}});
-  say(driver, {{"type", "faces"}, {"action", "forget"}, {"name", "nobody"}});
-  do_jobs();
-  hub_->tick();
-  EXPECT_THAT(station_.calls(), Contains("faces rename Ana"));
-  EXPECT_EQ(driver->last("refused")["to"], "faces");
-  EXPECT_THAT(watcher->of("known_faces"), IsEmpty());
 }
 
 TEST_F(HubTest, what_is_known_of_the_camera_reaches_those_who_come_later_too) {
