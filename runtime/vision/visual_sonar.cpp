@@ -163,7 +163,8 @@ void VisualSonar::Impl::to_floor(std::size_t i) {
   const double tilt_rad = std::asin(-ground->X_RC().linear()(2, 2));
   out.sigma_m = ground_sigma_m((out.end_R_m - lens).norm(), ground->height_m(), tilt_rad, camera.fy_px,
                                found.sigma_row * grid.pixels_down(), robot.mount);
-  out.sigma_m = std::max(std::hypot(kSigmaFit * out.sigma_m, kFootSigma_m), doubt_m(found, column, out.end_R_m));
+  out.sigma_m =
+      std::max(std::hypot(kSigmaFit * out.sigma_m, kFootSigma_m), doubt_m(found, column, out.end_R_m));
 }
 
 /// What was passed over but may stand on the floor: the answer may be wrong by as much.
