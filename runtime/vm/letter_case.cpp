@@ -1,9 +1,7 @@
 #include "vm/letter_case.h"
 
-#include <algorithm>
-#include <bitset>
+#include <array>
 #include <iterator>
-#include <vector>
 
 namespace mirada::vm {
 namespace {
@@ -98,30 +96,27 @@ constexpr PairRange kPairs[] = {
 
 /// Every unit's lower case, and which units have a case at all.
 struct CaseTable {
-  CaseTable() : lower(0x10000) {
+  constexpr CaseTable() {
     for (std::size_t unit = 0; unit < lower.size(); ++unit) lower[unit] = static_cast<char16_t>(unit);
     add({'A', 'Z', 1, 32});
     for (const CaseRange& range : kRanges) add(range);
     cased[kDottedI] = cased[kFinalSigma] = cased[0x00DF] = cased[0x0131] = true;
   }
-  void add(const CaseRange& range) {
+  constexpr void add(const CaseRange& range) {
     for (int unit = range.first; unit <= range.last; unit += range.stride) {
       lower[static_cast<std::size_t>(unit)] = static_cast<char16_t>(unit + range.delta);
       cased[static_cast<std::size_t>(unit)] = cased[static_cast<std::size_t>(unit + range.delta)] = true;
     }
   }
-  std::vector<char16_t> lower;
-  std::bitset<0x10000> cased;
+  std::array<char16_t, 0x10000> lower{};
+  std::array<bool, 0x10000> cased{};
 };
-
-const CaseTable& table() {
-  static const CaseTable kTable;
-  return kTable;
-}
+constexpr CaseTable kTable;
 
 /// What may stand within a word without being one of its letters.
 bool is_ignorable(char16_t unit) {
   constexpr std::u16string_view kMarks = u"'.:^`\u00A8\u00AD\u00AF\u00B4\u00B7\u00B8\u2018\u2019\u2024\u2027";
+  if (kTable.cased[unit] || unit == u' ') return false;
   return (unit >= 0x0300 && unit <= 0x036F) || kMarks.find(unit) != std::u16string_view::npos;
 }
 
@@ -131,11 +126,12 @@ bool ends_a_word(std::u16string_view text, std::size_t place) {
   while (before > 0 && is_ignorable(text[before - 1])) --before;
   std::size_t behind = place + 1;
   while (behind < text.size() && is_ignorable(text[behind])) ++behind;
-  return before > 0 && table().cased[text[before - 1]] &&
-         !(behind < text.size() && table().cased[text[behind]]);
+  return before > 0 && kTable.cased[text[before - 1]] &&
+         !(behind < text.size() && kTable.cased[text[behind]]);
 }
 
 char16_t lower_half(char16_t high, char16_t low) {
+  if (high > kPairs[std::size(kPairs) - 1].high) return low;
   for (const PairRange& range : kPairs) {
     if (high == range.high && low >= range.first && low <= range.last) {
       return static_cast<char16_t>(low + range.delta);
@@ -146,33 +142,22 @@ char16_t lower_half(char16_t high, char16_t low) {
 
 }  // namespace
 
-char16_t lower_case(char16_t unit) {
-  if (unit < 0x80) return unit >= 'A' && unit <= 'Z' ? static_cast<char16_t>(unit + 32) : unit;
-  return table().lower[unit];
+char16_t lower_case(char16_t unit) { return kTable.lower[unit]; }
+
+LowerCase::LowerCase(std::u16string_view text, std::size_t place) : text_(text), start_(place) {
+  while (start_ > 0 && (text[start_ - 1] == kSigma || is_ignorable(text[start_ - 1]))) --start_;
+  if (start_ > 0 && text[start_ - 1] >= 0xD800 && text[start_ - 1] < 0xDC00) --start_;
+  at_ = start_;
 }
 
-bool lowers_alone(char16_t unit) {
-  if (unit < kDottedI) return true;
-  if (unit == kDottedI || unit == kSigma) return false;
-  return unit < 0xD800 || unit >= 0xDC00;
-}
-
-std::u16string lower_case(std::u16string_view text) {
-  std::u16string out;
-  out.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char16_t before = i > 0 ? text[i - 1] : u'\0';
-    if (text[i] == kDottedI) {
-      out += u"i\u0307";
-    } else if (text[i] == kSigma && ends_a_word(text, i)) {
-      out += kFinalSigma;
-    } else if (text[i] >= 0xDC00 && text[i] < 0xE000) {
-      out += lower_half(before, text[i]);
-    } else {
-      out += lower_case(text[i]);
-    }
-  }
-  return out;
+char16_t LowerCase::next_special() {
+  if (pending_ != 0) return std::exchange(pending_, u'\0');
+  const std::size_t place = at_++;
+  const char16_t unit = text_[place];
+  if (unit >= 0xDC00) return lower_half(place > 0 ? text_[place - 1] : u'\0', unit);
+  if (unit == kSigma) return ends_a_word(text_, place) ? kFinalSigma : lower_case(kSigma);
+  pending_ = u'\u0307';
+  return u'i';
 }
 
 }  // namespace mirada::vm

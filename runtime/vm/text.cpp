@@ -12,8 +12,28 @@ namespace {
 
 constexpr std::uint32_t kLettersUnasked = 1 << 16;
 
-bool lowers_by_unit(const Text& text) {
-  return !text.wide || std::all_of(text.units(), text.units() + text.length, lowers_alone);
+/// A text's units in lower case, one after the other: plain ASCII without ado.
+class Letters {
+ public:
+  explicit Letters(const Text& text)
+      : ascii_(text.wide ? std::string_view() : text.ascii_view()),
+        wide_(text.wide ? std::u16string_view(text.units(), text.length) : std::u16string_view()) {}
+  bool more() const { return at_ < ascii_.size() || wide_.more(); }
+  char16_t next() {
+    return at_ < ascii_.size() ? lower_case(static_cast<unsigned char>(ascii_[at_++])) : wide_.next();
+  }
+
+ private:
+  std::string_view ascii_;
+  std::size_t at_ = 0;
+  LowerCase wide_;
+};
+
+std::u16string lowered(const Text& text) {
+  std::u16string out;
+  out.reserve(text.length);
+  for (Letters letters(text); letters.more();) out += letters.next();
+  return out;
 }
 
 }  // namespace
@@ -55,11 +75,10 @@ std::optional<bool> contains_text(const Text& whole, const Text& part, const std
     if (needle[i] == needle[matched]) ++matched;
     border[i + 1] = matched;
   }
-  const std::u16string changed = lowers_by_unit(whole) ? std::u16string() : lowered(whole);
-  const std::uint32_t length = changed.empty() ? whole.length : static_cast<std::uint32_t>(changed.size());
-  for (std::uint32_t i = 0, matched = 0; i < length; ++i) {
+  Letters letters(whole);
+  for (std::uint32_t i = 0, matched = 0; letters.more(); ++i) {
     if (tired(i)) return std::nullopt;
-    const char16_t letter = changed.empty() ? lower_case(whole.at(i)) : changed[i];
+    const char16_t letter = letters.next();
     while (matched > 0 && letter != needle[matched]) matched = border[matched];
     if (letter == needle[matched]) ++matched;
     if (matched == needle.size()) return true;

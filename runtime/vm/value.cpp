@@ -77,8 +77,6 @@ void append_utf8(std::string& out, char32_t point) {
   for (int k = more - 1; k >= 0; --k) out += static_cast<char>(0x80 | ((point >> (6 * k)) & 0x3F));
 }
 
-double compare_numbers(std::uint32_t a, std::uint32_t b) { return a == b ? 0 : a < b ? -1 : 1; }
-
 double compare_ascii(std::string_view a, std::string_view b) {
   const std::size_t common = std::min(a.size(), b.size());
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c + 0; };
@@ -86,19 +84,39 @@ double compare_ascii(std::string_view a, std::string_view b) {
     if (a[i] == b[i]) continue;
     if (const int x = lower(a[i]), y = lower(b[i]); x != y) return x < y ? -1 : 1;
   }
-  return compare_numbers(static_cast<std::uint32_t>(a.size()), static_cast<std::uint32_t>(b.size()));
+  return a.size() == b.size() ? 0 : a.size() < b.size() ? -1 : 1;
+}
+
+std::u16string widened(std::string_view ascii) { return {ascii.begin(), ascii.end()}; }
+
+/// How many units at the front are the same, told block by block.
+std::size_t same_front(std::u16string_view a, std::u16string_view b) {
+  constexpr std::size_t kBlock = 512;
+  const std::size_t common = std::min(a.size(), b.size());
+  std::size_t at = 0;
+  while (at + kBlock <= common && std::memcmp(&a[at], &b[at], kBlock * sizeof(char16_t)) == 0) at += kBlock;
+  while (at < common && a[at] == b[at]) ++at;
+  return at;
+}
+
+double compare_units(std::u16string_view a, std::u16string_view b) {
+  LowerCase left(a, same_front(a, b));
+  LowerCase right(b, left.start());
+  while (left.more() && right.more()) {
+    if (left.skip_same(right)) continue;
+    const char16_t x = left.next();
+    const char16_t y = right.next();
+    if (x != y) return x < y ? -1 : 1;
+  }
+  return left.more() ? 1 : right.more() ? -1 : 0;
 }
 
 double compare_texts(const Text& a, const Text& b) {
   if (!a.wide && !b.wide) return compare_ascii(a.ascii_view(), b.ascii_view());
-  const std::uint32_t common = std::min(a.length, b.length);
-  for (std::uint32_t i = 0; i < common; ++i) {
-    const char16_t x = a.at(i);
-    const char16_t y = b.at(i);
-    if (!lowers_alone(x) || !lowers_alone(y)) return lowered(a).compare(lowered(b));
-    if (x != y && lower_case(x) != lower_case(y)) return lower_case(x) < lower_case(y) ? -1 : 1;
-  }
-  return compare_numbers(a.length, b.length);
+  const std::u16string wide_a = a.wide ? std::u16string() : widened(a.ascii_view());
+  const std::u16string wide_b = b.wide ? std::u16string() : widened(b.ascii_view());
+  return compare_units(a.wide ? std::u16string_view(a.units(), a.length) : wide_a,
+                       b.wide ? std::u16string_view(b.units(), b.length) : wide_b);
 }
 
 }  // namespace
@@ -134,16 +152,6 @@ Value make_text(Heap& heap, std::u16string_view units) {
     }
   }
   return Value(text);
-}
-
-std::u16string lowered(const Text& text) {
-  std::u16string out(text.length, u'\0');
-  bool alone = true;
-  for (std::uint32_t i = 0; i < text.length; ++i) {
-    out[i] = lower_case(text.at(i));
-    alone = alone && lowers_alone(text.at(i));
-  }
-  return alone ? out : lower_case(std::u16string_view(text.units(), text.length));
 }
 
 std::u16string utf16_of(std::string_view utf8) {

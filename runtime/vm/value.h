@@ -89,8 +89,6 @@ Value make_text(Heap& heap, std::u16string_view units);
 /// UTF-8; a lone surrogate becomes U+FFFD.
 std::string to_utf8(const Text& text);
 std::u16string utf16_of(std::string_view utf8);
-/// As JavaScript's toLowerCase gives it.
-std::u16string lowered(const Text& text);
 
 /// JavaScript's Number(text), of any text; NaN when it is none.
 double number_of(std::string_view utf8);

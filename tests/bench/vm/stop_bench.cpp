@@ -49,6 +49,13 @@ Json hard(std::vector<Json> first, std::vector<Json> body) {
 std::vector<Json> grown(const std::string& seed, double doublings) {
   return {set("s", text(seed)), repeat(doublings, {set("s", in(join(in(var("s")), in(var("s")))))})};
 }
+/// "s" and "t" become long texts that are the same but for their case.
+std::vector<Json> great_and_small(const std::string& great, const std::string& small) {
+  std::vector<Json> blocks = grown(great, 17);
+  blocks.push_back(set("t", in(var("s"))));
+  for (Json& one : grown(small, 17)) blocks.push_back(std::move(one));
+  return blocks;
+}
 std::vector<Json> numbers_in_list() { return {repeat(200'000, {add(in(var("i"))), change("i")})}; }
 std::vector<Json> texts_in_list() {
   return {repeat(200'000, {add(in(join(text("n"), in(var("i"))))), change("i")})};
@@ -60,6 +67,8 @@ std::vector<std::pair<std::string, Json>> hard_programs() {
   const auto place_of = [](Json item) {
     return block("data_itemnumoflist", {{"ITEM", std::move(item)}}, {{"LIST", named("L")}});
   };
+  const Json compare_them =
+      set("i", in(operation("operator_equals", "OPERAND1", "OPERAND2", s, in(var("t")))));
   const Json insert_first =
       block("data_insertatlist", {{"INDEX", number(1)}, {"ITEM", text("x")}}, {{"LIST", named("L")}});
   return {
@@ -71,12 +80,13 @@ std::vector<std::pair<std::string, Json>> hard_programs() {
       {"compare 1 MiB",
        hard(grown("abcdefgh", 17),
             {set("t", in(operation("operator_equals", "OPERAND1", "OPERAND2", s, in(join(s, text(""))))))})},
-      {"compare 2 MiB of Greek",
-       hard(grown("\u0393\u03b5\u03b9\u03ac \u03c3\u03bf\u03c5", 17),
-            {set("t", in(operation("operator_equals", "OPERAND1", "OPERAND2", s, in(join(s, text(""))))))})},
-      {"compare 2 MiB whose case is no single letter's",
-       hard(grown("\u03a3\u0130\U00010400 \u03a3'", 17),
-            {set("t", in(operation("operator_equals", "OPERAND1", "OPERAND2", s, in(join(s, text(""))))))})},
+      {"compare 2 MiB of Greek, great and small",
+       hard(great_and_small("\u0393\u0395\u0399\u0391 \u03a3\u039f\u03a5",
+                            "\u03b3\u03b5\u03b9\u03b1 \u03c3\u03bf\u03c5"),
+            {compare_them})},
+      {"compare 2 MiB of letters of two units",
+       hard(great_and_small("\U00010400\U00010401\U00010402\u0130", "\U00010428\U00010429\U0001042ai\u0307"),
+            {compare_them})},
       {"number of 2 MiB of Greek",
        hard(grown("\u0393\u03b5\u03b9\u03ac \u03c3\u03bf\u03c5", 17),
             {set("t", in(operation("operator_add", "NUM1", "NUM2", s, number(1))))})},
