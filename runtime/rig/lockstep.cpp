@@ -13,7 +13,6 @@
 namespace mirada::rig {
 namespace {
 
-constexpr std::size_t kMostListItems = 200'000;
 constexpr std::size_t kMostSaidLines = 10'000;
 constexpr std::size_t kMostSaidBytes = 32u << 20;
 
@@ -146,8 +145,8 @@ class Lockstep {
       report.status = status();
     }
     report.faults.assign(session_.faults().begin(), session_.faults().end());
-    report.variables = session_.machine()->variables();
-    report.lists = session_.machine()->lists(kMostListItems);
+    report.variables = session_.machine()->variables(vm::kWholeMonitors);
+    report.lists = session_.machine()->lists(vm::kWholeMonitors);
     report.block_executions = session_.machine()->block_executions();
     report.say = std::move(said_);
     report.simulated_s = seconds(clock_.now());

@@ -85,8 +85,11 @@ void Machine::Impl::move_by_layers(Instance& instance, double layers) {
 
 void Machine::Impl::delete_clone(Thread& thread) {
   Instance* gone = thread.instance;
-  for (Thread* other : threads) {
-    if (other->instance == gone) end_thread(*other, ThreadEnd::killed);
+  for (const Script& script : code->scripts) {
+    const auto it = running.find({&script, gone});
+    if (it == running.end()) continue;
+    for (Thread* other : it->second) end_thread(*other, ThreadEnd::killed);
+    running.erase(it);
   }
   forget(*gone);
   const auto it =

@@ -187,9 +187,11 @@ Micros Machine::next_timer() const { return impl_->next_timer(); }
 std::shared_ptr<const std::vector<std::string>> Machine::running_blocks() const {
   return impl_->running_blocks();
 }
-std::map<std::string, MonitorValue> Machine::variables() const { return impl_->variables(); }
-std::map<std::string, std::vector<MonitorValue>> Machine::lists(std::size_t max_items) const {
-  return impl_->all_lists(max_items);
+std::map<std::string, MonitorValue> Machine::variables(MonitorRoom room) const {
+  return impl_->variables(room);
+}
+std::map<std::string, std::vector<MonitorValue>> Machine::lists(MonitorRoom room) const {
+  return impl_->all_lists(room);
 }
 std::vector<BlockFault> Machine::take_faults() { return std::exchange(impl_->faults, {}); }
 std::uint64_t Machine::block_executions() const { return impl_->executions; }

@@ -35,7 +35,7 @@ struct Limits {
   const Clock* wall = nullptr;                 ///< live: also ends a tick after `tick_time` of it
   Micros tick_time = 5 * kMillisecond;
   std::size_t max_text_bytes = 2u << 20;  ///< of a joined text: reading or comparing one must not take 5 ms
-  std::size_t max_total_bytes = 512u << 20;
+  std::size_t max_total_bytes = 128u << 20;
   std::size_t max_depth = 100'000;
   std::size_t max_threads = 20'000;
 };
@@ -51,6 +51,12 @@ struct MonitorValue {
   double number = 0;
   bool is_truth = false;
 };
+
+struct MonitorRoom {
+  std::size_t items = 1'000;    ///< of a list
+  std::size_t letters = 1'000;  ///< of a text, in UTF-16 units
+};
+constexpr MonitorRoom kWholeMonitors{200'000, SIZE_MAX};
 
 struct BlockFault {
   std::string block;
@@ -95,9 +101,10 @@ class Machine {
   /// Ids of the blocks being executed, the innermost of each live script, with the C-blocks around them.
   /// Never null; the same list as long as nothing changes.
   std::shared_ptr<const std::vector<std::string>> running_blocks() const;
-  /// By name; script-local ones are left out.
-  std::map<std::string, MonitorValue> variables() const;
-  std::map<std::string, std::vector<MonitorValue>> lists(std::size_t max_items = 1'000) const;
+  /// By name; script-local ones are left out. Of each list and text no more than what a monitor has room for,
+  /// or all of it.
+  std::map<std::string, MonitorValue> variables(MonitorRoom room = {}) const;
+  std::map<std::string, std::vector<MonitorValue>> lists(MonitorRoom room = {}) const;
   /// Faults since the last call.
   std::vector<BlockFault> take_faults();
   std::uint64_t block_executions() const;

@@ -1,6 +1,7 @@
 #pragma once
 #include <atomic>
 #include <deque>
+#include <map>
 #include <queue>
 #include <unordered_map>
 
@@ -104,8 +105,8 @@ struct Machine::Impl {
   void refuse(std::uint64_t request, Fault why);
   void answer(Thread& thread, const Value& value);
   void give_up(Thread& thread, const Message& why, MessageArgs args = {});
-  std::map<std::string, MonitorValue> variables() const;
-  std::map<std::string, std::vector<MonitorValue>> all_lists(std::size_t max_items) const;
+  std::map<std::string, MonitorValue> variables(MonitorRoom room) const;
+  std::map<std::string, std::vector<MonitorValue>> all_lists(MonitorRoom room) const;
   std::shared_ptr<const std::vector<std::string>> running_blocks() const;
 
   // machine.cpp
@@ -138,7 +139,8 @@ struct Machine::Impl {
   std::deque<Thread> pool;  ///< never shrinks, so that pointers stay good
   std::vector<Thread*> spare;
   std::vector<Thread*> threads;  ///< in the order of their turns
-  std::unordered_map<const Script*, std::vector<Thread*>> running;
+  /// The copies of a script that are in the list, by whose script it is.
+  std::map<std::pair<const Script*, const Instance*>, std::vector<Thread*>> running;
   using Sleeper = std::tuple<Micros, std::uint64_t, Thread*>;
   std::priority_queue<Sleeper, std::vector<Sleeper>, std::greater<>> sleepers;
   std::unordered_map<std::string, std::vector<const Script*>> receivers;

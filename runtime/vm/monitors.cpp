@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t kMaxQuestions = 1'000;
 
-MonitorValue shown(const Value& value) {
-  MonitorValue out{.text = to_string(value)};
+MonitorValue shown(const Value& value, std::size_t letters) {
+  MonitorValue out{.text = value.is_text() ? to_utf8(*value.text(), letters) : to_string(value)};
   out.is_number = value.is_number();
   out.number = to_number(value);
   if (value.is_number()) out.number = value.number();
@@ -21,32 +21,34 @@ MonitorValue shown(const Value& value) {
 }
 
 MonitorValue shown_number(double number, bool digits) {
-  MonitorValue out = shown(Value(behind_digits(number)));
+  MonitorValue out = shown(Value(behind_digits(number)), SIZE_MAX);
   out.is_number = !digits && !is_digits(number);
   return out;
 }
 
 }  // namespace
 
-std::map<std::string, MonitorValue> Machine::Impl::variables() const {
+std::map<std::string, MonitorValue> Machine::Impl::variables(MonitorRoom room) const {
   std::map<std::string, MonitorValue> out;
   for (const VariableInfo& info : code->variables) {
     if (!info.shown) continue;
     const auto place = static_cast<std::size_t>(info.place);
     const Slot& slot =
         info.own ? instances[static_cast<std::size_t>(info.sprite)]->slots[place] : globals[place];
-    out[info.name] = info.kind == Kind::number ? shown_number(slot.n, info.digits) : shown(slot.v);
+    out[info.name] =
+        info.kind == Kind::number ? shown_number(slot.n, info.digits) : shown(slot.v, room.letters);
   }
   return out;
 }
 
-std::map<std::string, std::vector<MonitorValue>> Machine::Impl::all_lists(std::size_t max_items) const {
+std::map<std::string, std::vector<MonitorValue>> Machine::Impl::all_lists(MonitorRoom room) const {
   std::map<std::string, std::vector<MonitorValue>> out;
   for (std::size_t i = 0; i < code->lists.size(); ++i) {
     const List& list = lists[i];
     std::vector<MonitorValue>& items = out[code->lists[i].name];
-    for (std::size_t k = 0; k < std::min(list.size(), max_items); ++k) {
-      items.push_back(list.bare ? shown_number(list.numbers[k], list.digits) : shown(list.values[k]));
+    for (std::size_t k = 0; k < std::min(list.size(), room.items); ++k) {
+      items.push_back(list.bare ? shown_number(list.numbers[k], list.digits)
+                                : shown(list.values[k], room.letters));
     }
   }
   return out;
@@ -125,7 +127,7 @@ void Machine::Impl::answer(Thread& thread, const Value& value) {
   Answer out;
   out.request = thread.request;
   out.ok = true;
-  out.value = shown(value);
+  out.value = shown(value, MonitorRoom().letters);
   out.fault.message = &messages::no_such_reporter;
   answers.push_back(std::move(out));
   thread.is_answered = true;

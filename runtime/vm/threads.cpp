@@ -96,10 +96,10 @@ void Machine::Impl::recycle(Thread& thread) {
 /// The copy of a script that is in the list. One that has ended keeps its place until the pass is over: a
 /// restart takes that place, a hat that does not restart looks past it.
 Thread* Machine::Impl::find_running(const Script& script, const Instance* instance, bool ended_too) const {
-  const auto it = running.find(&script);
+  const auto it = running.find({&script, instance});
   if (it == running.end()) return nullptr;
   for (Thread* thread : it->second) {
-    if (thread->instance == instance && (ended_too || thread->state != ThreadState::done)) return thread;
+    if (ended_too || thread->state != ThreadState::done) return thread;
   }
   return nullptr;
 }
@@ -119,7 +119,7 @@ Thread* Machine::Impl::start_thread(const Script& script, Instance* instance, bo
   }
   Thread* fresh = new_thread(function_of(script.function), instance);
   fresh->script = &script;
-  running[&script].push_back(fresh);
+  running[{&script, instance}].push_back(fresh);
   disturb();
   if (old) {
     fresh->place = old->place;
@@ -146,7 +146,10 @@ void Machine::Impl::end_thread(Thread& thread, ThreadEnd why) {
 void Machine::Impl::drop(Thread& thread) {
   if (thread.is_question) give_up(thread, messages::answer_gave_up);
   release_waiters(thread);
-  if (const auto it = running.find(thread.script); it != running.end()) std::erase(it->second, &thread);
+  if (const auto it = running.find({thread.script, thread.instance}); it != running.end()) {
+    std::erase(it->second, &thread);
+    if (it->second.empty()) running.erase(it);
+  }
   if (thread.script) host.thread_ended(ThreadId{thread.serial}, thread.end);
   recycle(thread);
 }

@@ -60,6 +60,7 @@ class Validator {
   void check_nesting();
   void collect_definitions();
   void check_block(BlockIndex index);
+  void check_names(const Block& block, const BlockDef& def);
   void check_place(const Block& block, const BlockDef& def);
   void check_field(const Block& block, const ArgDef& arg);
   void check_named(const Block& block, const ArgDef& arg, const Field& field);
@@ -194,7 +195,7 @@ void Validator::check_block(BlockIndex index) {
     return fault(block, messages::unknown_block, {{"opcode", block.opcode}});
   }
   const BlockDef& def = *block.def;
-  if (program_.from_scratch) return;  // Scratch takes what it finds; its own rules say what happens then
+  if (program_.from_scratch) return check_names(block, def);
   check_place(block, def);
   for (const ArgDef& arg : def.args) {
     if (arg.is_field) {
@@ -208,6 +209,14 @@ void Validator::check_block(BlockIndex index) {
   if (block.opcode.starts_with("argument_reporter")) check_parameter(block);
   if (block.opcode == "procedures_return" && !definition_around(block))
     warn(block, messages::return_elsewhere);
+}
+
+/// Scratch takes what it finds, and its own rules say what happens then; but who names nothing is told so.
+void Validator::check_names(const Block& block, const BlockDef& def) {
+  for (const ArgDef& arg : def.args) {
+    const bool names = arg.type == ArgType::list || arg.type == ArgType::variable;
+    if (names && !block.field(arg.name)) warn(block, messages::field_absent, {{"field", arg.name}});
+  }
 }
 
 void Validator::check_place(const Block& block, const BlockDef& def) {

@@ -168,10 +168,11 @@ std::u16string utf16_of(std::string_view utf8) {
   return out;
 }
 
-std::string to_utf8(const Text& text) {
-  if (!text.wide) return std::string(text.ascii_view());
+std::string to_utf8(const Text& text, std::size_t most) {
+  const char* const rest = text.length > most ? "\u2026" : "";
+  if (!text.wide) return std::string(text.ascii_view().substr(0, most)) + rest;
   std::string out;
-  for (std::uint32_t i = 0; i < text.length; ++i) {
+  for (std::uint32_t i = 0; i < text.length && i < most; ++i) {
     const char16_t u = text.units()[i];
     if (u < 0xD800 || u >= 0xE000) {
       append_utf8(out, u);
@@ -181,7 +182,7 @@ std::string to_utf8(const Text& text) {
       append_utf8(out, 0xFFFD);
     }
   }
-  return out;
+  return out + rest;
 }
 
 double number_of(std::string_view utf8) {

@@ -86,8 +86,9 @@ static_assert(sizeof(Value) == 8);
 
 Value make_text(Heap& heap, std::string_view utf8);
 Value make_text(Heap& heap, std::u16string_view units);
-/// UTF-8; a lone surrogate becomes U+FFFD.
-std::string to_utf8(const Text& text);
+/// UTF-8; a lone surrogate becomes U+FFFD. Of a longer text no more than so many units, and a sign that it
+/// goes on.
+std::string to_utf8(const Text& text, std::size_t most = SIZE_MAX);
 std::u16string utf16_of(std::string_view utf8);
 
 /// JavaScript's Number(text), of any text; NaN when it is none.

@@ -29,7 +29,7 @@ inline void run_some(std::string_view bytes) {
     (void)machine.running_blocks();
   }
   (void)machine.variables();
-  (void)machine.lists(100);
+  (void)machine.lists();
   machine.stop();
   if (machine.any_script_alive()) std::abort();
 }

@@ -128,7 +128,7 @@ TEST(Abuse, ListsThatGrowForEverStopAtScratchsLimitOrAtTheMemorys) {
   const auto faults = run.machine->take_faults();
   ASSERT_FALSE(faults.empty());
   for (const BlockFault& fault : faults) EXPECT_EQ(fault.fault.code(), "out_of_memory");
-  EXPECT_LE(run.machine->lists(300'000).at("numbers").size(), 200'000U);
+  EXPECT_LE(run.machine->lists(kWholeMonitors).at("numbers").size(), 200'000U);
   expect_goes_on_and_stops(run);
 }
 

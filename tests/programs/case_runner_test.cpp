@@ -46,7 +46,7 @@ void expect_value(const Json& got, const Json& want, const std::string& what) {
 class Case : public testing::TestWithParam<fs::path> {};
 
 void check_variables(const Machine& machine, const Json& expect) {
-  const auto variables = machine.variables();
+  const auto variables = machine.variables(kWholeMonitors);
   for (const auto& [name, want] : expect.items()) {
     ASSERT_TRUE(variables.contains(name)) << name;
     expect_value(as_json(variables.at(name)), want, name);
@@ -54,7 +54,7 @@ void check_variables(const Machine& machine, const Json& expect) {
 }
 
 void check_lists(const Machine& machine, const Json& expect) {
-  const auto lists = machine.lists(200'000);
+  const auto lists = machine.lists(kWholeMonitors);
   for (const auto& [name, want] : expect.items()) {
     ASSERT_TRUE(lists.contains(name)) << name;
     Json got = Json::array();

@@ -111,7 +111,7 @@ void check_all(bool literals) {
     }
     Running run(program({hat(std::move(blocks))}, {}, {"R"}), {}, operands.catalog);
     run.finish();
-    const std::vector<MonitorValue> got = run.machine->lists(kChunk).at("R");
+    const std::vector<MonitorValue> got = run.machine->lists(kWholeMonitors).at("R");
     ASSERT_EQ(got.size(), to - from);
     for (std::size_t i = from; i < to; ++i) expect_same(got[i - from], ops[i][3], ops[i]);
   }

@@ -200,6 +200,23 @@ TEST(Machine, AClickedReporterAnswersItsValueWhileTheProgramRuns) {
   EXPECT_TRUE(run.machine->any_script_alive());
 }
 
+TEST(Machine, AMonitorShowsTheStartOfWhatIsLong) {
+  const Json grow = block(
+      "data_setvariableto",
+      {{"VALUE", in(block("operator_join", {{"STRING1", in(var("s"))}, {"STRING2", text("\u00e9\u00e9")}}))}},
+      {{"VARIABLE", named("s")}});
+  const Json note = block("data_addtolist", {{"ITEM", in(var("s"))}}, {{"LIST", named("L")}});
+  Running run(
+      program({hat({block("control_repeat", {{"TIMES", number(600)}, {"SUBSTACK", in(grow)}}), note})}, {"s"},
+              {"L"}));
+  run.finish();
+  const std::string shown = run.machine->variables().at("s").text;
+  EXPECT_EQ(shown.size(),
+            1 + 999 * 2 + 3U);  // the 0 it began with, letters of two bytes, a sign that it goes on
+  EXPECT_EQ(run.machine->lists().at("L")[0].text, shown);
+  EXPECT_EQ(run.machine->variables(kWholeMonitors).at("s").text.size(), 1 + 1200 * 2U);
+}
+
 TEST(Machine, RunningBlocksAreTheInnermostWithWhatHoldsThem) {
   Running run(program({hat({with_id(forever({with_id(wait(1), "wait")}), "loop")})}, {}));
   run.machine->tick();

@@ -164,7 +164,7 @@ TEST(ScratchFile, SocketsAreReadInEveryFormThatWritersUse) {
   EXPECT_TRUE(run.loaded.warnings.empty());
   run.finish();
   EXPECT_EQ(run.list("L"), "7 #ff0000 0  own in in");
-  EXPECT_TRUE(run.machine->lists(10).at("L")[0].is_number);
+  EXPECT_TRUE(run.machine->lists().at("L")[0].is_number);
 }
 
 /// Scratch reads these words in whatever case; projects that came from Scratch 2 have them small.
@@ -182,6 +182,20 @@ TEST(ScratchFile, WordsOfMenusAreReadInAnyCase) {
   EXPECT_TRUE(run.loaded.warnings.empty());
   run.finish(1, false);
   EXPECT_EQ(run.list("L"), "timer 2");
+}
+
+TEST(ScratchFile, ABlockThatNamesNoListOrVariableIsMarked) {
+  const std::string text = project(
+      flag("a", "b") +
+      R"(,"b":{"opcode":"data_addtolist","next":"c","inputs":{"ITEM":[1,[10,"x"]]},"fields":{},"shadow":false,"topLevel":false})"
+      R"(,"c":{"opcode":"data_setvariableto","next":"d","inputs":{"VALUE":[1,[10,"x"]]},"fields":{},"shadow":false,"topLevel":false})" +
+      add("d", R"([1,[10,"y"]])"));
+  Running run{std::string_view(text)};
+  EXPECT_EQ(codes(run.loaded.warnings), (Codes{"field_absent", "field_absent"}));
+  EXPECT_EQ(run.loaded.warnings.at(0).place, "b");
+  EXPECT_NE(to_text({run.loaded.warnings.at(0)}, Lang::en).find("LIST"), std::string::npos);
+  run.finish();
+  EXPECT_EQ(run.list("L"), "y");
 }
 
 TEST(ScratchFile, SpritesMayUseTheSameIdsAndNames) {

@@ -39,8 +39,8 @@ std::string name_on_canvas(std::string name) {
 }
 
 void expect_same_values(const Json& expect, const Machine& machine) {
-  const auto variables = machine.variables();
-  const auto lists = machine.lists(200'000);
+  const auto variables = machine.variables(kWholeMonitors);
+  const auto lists = machine.lists(kWholeMonitors);
   const Json wanted_variables = expect.value("variables", Json::object());
   const Json wanted_lists = expect.value("lists", Json::object());
   for (const auto& [name, want] : wanted_variables.items()) {

@@ -121,7 +121,7 @@ bool Running::finish(double seconds, bool back_to_back) {
 
 std::string Running::list(const std::string& name) const {
   std::string out;
-  const auto lists = machine->lists(200'000);
+  const auto lists = machine->lists(kWholeMonitors);
   for (const MonitorValue& item : lists.at(name)) out += (out.empty() ? "" : " ") + item.text;
   return out;
 }

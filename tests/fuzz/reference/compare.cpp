@@ -44,7 +44,7 @@ bool finish(Machine& machine, QuietHost& host) {
 }
 
 std::string difference_in_lists(const Machine& machine, const Outcome& want) {
-  const auto lists = machine.lists(200'000);
+  const auto lists = machine.lists(kWholeMonitors);
   for (std::size_t i = 0; i < want.lists.size(); ++i) {
     const std::string name = "L" + std::to_string(i);
     const std::vector<MonitorValue>& got = lists.at(name);
@@ -78,7 +78,7 @@ std::string difference(const std::uint8_t* data, std::size_t size, const BlockCa
   if (const auto faults = machine.take_faults(); !faults.empty()) {
     return faults[0].fault.text(Lang::en) + text;
   }
-  const auto variables = machine.variables();
+  const auto variables = machine.variables(kWholeMonitors);
   for (std::size_t i = 0; i < want->variables.size(); ++i) {
     const std::string name = "v" + std::to_string(i);
     const std::string mine = kind_and_text(variables.at(name));
