@@ -1,7 +1,9 @@
-// Runs *Avoid the obstacles* in rooms and seeds and prints one JSON object: every run, and whether the
-// numbers that the project promises hold.
+// Runs a program in rooms and seeds and prints one JSON object: every run, and whether the numbers that the
+// project promises for *Avoid the obstacles* hold.
 #include <algorithm>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <map>
 
 #include <CLI/CLI.hpp>
@@ -19,6 +21,7 @@ struct Arguments {
   std::uint64_t first_seed = 1;
   std::uint64_t seeds = 20;
   double seconds = 120;
+  std::string program;
 };
 
 nlohmann::json to_json(const AvoidRun& run) {
@@ -31,6 +34,11 @@ nlohmann::json to_json(const AvoidRun& run) {
           {"first_contact", run.first_contact},
           {"wall_s", run.wall_s},
           {"hash", run.hash}};
+}
+
+std::string text_of(const std::string& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 nlohmann::json judge(const std::vector<AvoidRun>& runs) {
@@ -54,19 +62,22 @@ nlohmann::json judge(const std::vector<AvoidRun>& runs) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Avoid the obstacles, measured by the truth of the simulated rooms."};
+  CLI::App app{"A program that drives about, measured by the truth of the simulated rooms."};
   Arguments arguments;
   app.add_option("--world", arguments.worlds, "Rooms (all that ship)");
   app.add_option("--first-seed", arguments.first_seed)->capture_default_str();
   app.add_option("--seeds", arguments.seeds)->capture_default_str();
   app.add_option("--seconds", arguments.seconds)->capture_default_str();
+  app.add_option("--program", arguments.program, "A program file (Avoid the obstacles)")
+      ->check(CLI::ExistingFile);
   CLI11_PARSE(app, argc, argv);
   if (arguments.worlds.empty()) arguments.worlds = mirada::world::shipped_worlds();
+  const std::string program =
+      arguments.program.empty() ? mirada::scenarios::avoid_program() : text_of(arguments.program);
   std::vector<AvoidRun> runs;
   for (const std::string& world : arguments.worlds) {
     for (std::uint64_t seed = arguments.first_seed; seed < arguments.first_seed + arguments.seeds; ++seed) {
-      const auto run =
-          mirada::scenarios::run_in_room(mirada::scenarios::avoid_program(), world, seed, arguments.seconds);
+      const auto run = mirada::scenarios::run_in_room(program, world, seed, arguments.seconds);
       if (!run) {
         std::cerr << mirada::to_text(run.faults(), mirada::Lang::en);
         return 2;
