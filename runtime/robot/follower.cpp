@@ -30,6 +30,9 @@ constexpr double kWalked_m = 0.3;   // floor, this near to where they walked
 constexpr double kPerson_m = 0.24;  // an obstacle this near to where they were then was they
 constexpr Micros kPersonTime = 1'200 * kMillisecond;
 constexpr Micros kFirstLook = 800 * kMillisecond;
+// Heads differ in size by so much: beyond it the feet are the ones in doubt.
+constexpr double kFaceScaleLeast = 0.9;
+constexpr double kFaceScaleMost = 1.12;
 
 double reach_of_body(const RobotConfig& robot) {
   double reach_m = 0;
@@ -182,7 +185,8 @@ void Follower::step(const Sight& sight, const memory::VisualMemory& memory) {
     const Vector2d p = place_at(sight.now + micros(kLead_s));
     const Vector2d to(p.x() - sight.X_OR.x_m, p.y() - sight.X_OR.y_m);
     bearing_rad = wrap_rad(std::atan2(to.y(), to.x()) - sight.X_OR.heading_rad);
-    away_m = range_scale_ * to.norm();
+    away_m = (target_->by_face ? std::clamp(range_scale_, kFaceScaleLeast, kFaceScaleMost) : range_scale_) *
+             to.norm();
     if (state_ != FollowState::searching && std::abs(bearing_rad) > rad(3))
       search_side_ = bearing_rad > 0 ? 1 : -1;
   }
@@ -222,7 +226,7 @@ bool Follower::glance(const Sight& sight, const memory::VisualMemory& memory) {
 void Follower::measure_range(const Sight& sight, const memory::VisualMemory& memory) {
   constexpr double kBeside_rad = rad(14);
   constexpr double kFeet_m = 0.12;  // from where they are seen to the person's middle
-  constexpr double kFarthest = 1.35, kNearest = 0.55;
+  constexpr double kFarthest = 1.35, kNearest = 0.4;
   constexpr double kTrust = 0.6;
   if (!target_) return;
   const Vector2d here(sight.X_OR.x_m, sight.X_OR.y_m);
@@ -271,7 +275,7 @@ WheelSpeeds Follower::wheels(const Sight& sight, double bearing_rad, double away
     return turning_ ? spin(std::clamp(kFollowTurn_per_s * bearing_rad, -turn_limit, turn_limit)) : spin(0);
   }
   constexpr double kKeepGain_per_s = 1.4;
-  constexpr double kBackMost_mps = 0.18;
+  constexpr double kBackMost_mps = 0.35;
   constexpr double kSlack_m = 0.02;
   const Vector2d away(std::cos(sight.X_OR.heading_rad + bearing_rad),
                       std::sin(sight.X_OR.heading_rad + bearing_rad));

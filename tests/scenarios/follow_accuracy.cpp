@@ -11,16 +11,20 @@ int main(int argc, char** argv) {
   CLI::App app{"Following somebody who walks, measured by the truth of the simulated room."};
   std::uint64_t first = 1, seeds = 20;
   double seconds = 60;
+  std::string only;
   app.add_option("--first-seed", first)->capture_default_str();
   app.add_option("--seeds", seeds)->capture_default_str();
   app.add_option("--seconds", seconds)->capture_default_str();
+  app.add_option("--walk", only, "Only this walk");
   CLI11_PARSE(app, argc, argv);
-  const std::pair<const char*, Walk> walks[] = {{"faces the robot", {0.35, true, false, false}},
-                                                {"walks as people do", {0.3, false, false, false}},
-                                                {"passes behind a pillar", {0.3, true, true, false}},
-                                                {"faces printed on posters", {0.3, true, false, true}}};
+  const std::pair<const char*, Walk> walks[] = {
+      {"faces the robot", {0.35, true, false, false, false}},
+      {"walks as people do", {0.3, false, false, false, false}},
+      {"passes behind a pillar", {0.3, true, true, false, false}},
+      {"learnt, among printed faces", {0.3, true, false, true, true}}};
   nlohmann::json runs = nlohmann::json::array();
   for (const auto& [name, walk] : walks) {
+    if (!only.empty() && only != name) continue;
     for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
       const FollowRun run = run_follow(walk, seed, seconds);
       runs.push_back({{"walk", name},
@@ -29,13 +33,17 @@ int main(int argc, char** argv) {
                       {"in_view", run.in_view_share},
                       {"at_distance", run.at_distance_share},
                       {"both", run.both_share},
+                      {"too_near", run.too_near_share},
+                      {"too_far", run.too_far_share},
                       {"longest_out_s", run.longest_out_s},
                       {"end_off_m", run.end_off_m},
+                      {"longest_poster_s", run.longest_poster_s},
                       {"contacts", run.contacts},
                       {"hash", run.hash}});
       std::cerr << name << " " << seed << ": view " << run.in_view_share << " distance "
-                << run.at_distance_share << " out " << run.longest_out_s << " s, contacts " << run.contacts
-                << ", " << run.wall_s << " s\n";
+                << run.at_distance_share << " near " << run.too_near_share << " far " << run.too_far_share
+                << " out " << run.longest_out_s << " s, poster " << run.longest_poster_s << " s, contacts "
+                << run.contacts << ", " << run.wall_s << " s\n";
     }
   }
   std::cout << nlohmann::json{{"seconds", seconds}, {"runs", runs}}.dump(1) << "\n";

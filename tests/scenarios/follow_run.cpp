@@ -15,13 +15,16 @@ using Eigen::Vector2d;
 constexpr double kHalfRoom_m = 4;
 constexpr double kWall_m = 1.3;  // the walker keeps off the walls
 constexpr double kStep_s = 0.01;
+constexpr std::size_t kLessonSteps = 450;  // of the world: the walker waits at one corner a step
 
-std::string follow_program() {
+std::string follow_program(bool learn) {
   using namespace rig;
   const std::string loop = forever(block({"control_wait", "wait", number_input("DURATION", "1"), ""}));
   const std::string follow =
       block({"people_follow_person", "follow", number_input("DISTANCE", "100"), ""}, loop);
-  return program(flag(block({"looking_tilt_to", "tilt", number_input("ANGLE", "35"), ""}, follow)));
+  const std::string begin =
+      learn ? block({"people_learn", "learn", text_input("NAME", "Ana"), ""}, follow) : follow;
+  return program(flag(block({"looking_tilt_to", "tilt", number_input("ANGLE", "45"), ""}, begin)));
 }
 
 /// Corners by chance, none of them over the robot's head: each leg begins with a turn of at most 100 degrees.
@@ -81,6 +84,13 @@ world::WorldConfig follow_room(const Walk& walk, std::uint64_t seed) {
     room.boxes.push_back({{3.2, -1.5, rad(90)}, 0.5, 0.03, 1.25, world::BoxLook::poster, {225, 218, 205}});
     room.boxes.push_back({{-3, 1.8, 0}, 0.5, 0.03, 1.2, world::BoxLook::poster, {225, 218, 205}});
   }
+  if (walk.learnt) {
+    person.face = static_cast<int>(random.integer(1, 3));
+    world::wear_own_colours(person);
+    // Stands and looks until the lesson is over.
+    person.X_WP = {-0.05, 0, rad(180)};
+    person.path_m.insert(person.path_m.begin(), kLessonSteps, Vector2d(-0.05, 0));
+  }
   room.people = {person};
   return room;
 }
@@ -93,27 +103,44 @@ FollowRun run_follow(const Walk& walk, std::uint64_t seed, double seconds, doubl
   options.seconds = seconds;
   FollowRun run;
   run.seed = seed;
-  int steps = 0, in_view = 0, at_distance = 0, both = 0;
+  int steps = 0, in_view = 0, at_distance = 0, both = 0, too_near = 0;
   double out_s = 0;
+  if (walk.learnt) {
+    options.book = std::make_shared<vision::FaceBook>();
+    (void)options.book->allow(true);
+  }
+  double poster_s = 0;
+  const std::vector<world::BoxConfig> posters = options.world->boxes;
+  const auto looks_at = [](const world::Truth& truth, double x_m, double y_m) {
+    const double bearing = std::atan2(y_m - truth.X_WR.y_m, x_m - truth.X_WR.x_m);
+    return std::abs(wrap_rad(bearing - truth.X_WR.heading_rad - truth.neck.pan_rad)) <= rad(10);
+  };
   options.watch = [&](Micros t, const world::Truth& truth) {
     const Vector2d to(truth.people[0].x_m - truth.X_WR.x_m, truth.people[0].y_m - truth.X_WR.y_m);
     run.end_off_m = to.norm() - 1;
     if (t < micros(settle_s)) return;
-    const double off = wrap_rad(std::atan2(to.y(), to.x()) - truth.X_WR.heading_rad - truth.neck.pan_rad);
-    const bool seen = std::abs(off) <= rad(10);
+    const bool seen = looks_at(truth, truth.people[0].x_m, truth.people[0].y_m);
     const bool near = to.norm() >= 0.8 && to.norm() <= 1.2;
+    const bool at_poster = !seen && std::any_of(posters.begin(), posters.end(), [&](const auto& box) {
+      return looks_at(truth, box.X_WB.x_m, box.X_WB.y_m);
+    });
+    poster_s = at_poster ? poster_s + kStep_s : 0;
+    run.longest_poster_s = std::max(run.longest_poster_s, poster_s);
     ++steps;
     in_view += seen;
     at_distance += near;
     both += seen && near;
+    too_near += to.norm() < 0.8;
     out_s = seen ? 0 : out_s + kStep_s;
     run.longest_out_s = std::max(run.longest_out_s, out_s);
   };
-  const session::RunReport report = rig::run_lockstep(follow_program(), options);
+  const session::RunReport report = rig::run_lockstep(follow_program(walk.learnt), options);
   const double all = std::max(steps, 1);
   run.in_view_share = in_view / all;
   run.at_distance_share = at_distance / all;
   run.both_share = both / all;
+  run.too_near_share = too_near / all;
+  run.too_far_share = 1 - run.at_distance_share - run.too_near_share;
   run.status = to_string(report.status);
   run.contacts = report.robot ? report.robot->contacts : 0;
   run.wall_s = report.wall_s;

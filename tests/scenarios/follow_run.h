@@ -12,6 +12,7 @@ struct Walk {
   bool watches_robot = true;  ///< shows their face all the time, or walks as people do
   bool pillar = false;        ///< passes behind one
   bool poster = false;        ///< a printed face hangs in the room
+  bool learnt = false;        ///< the robot learns their face first
 };
 
 /// What the truth says of one run of *follow the person at 100 cm*.
@@ -20,8 +21,10 @@ struct FollowRun {
   double in_view_share = 0;      ///< of the time: within 10 degrees of the picture's middle
   double at_distance_share = 0;  ///< within 0.8 and 1.2 m
   double both_share = 0;
-  double longest_out_s = 0;  ///< longest time that they were not within 10 degrees
-  double end_off_m = 0;      ///< distance to them at the end, less the metre
+  double too_near_share = 0, too_far_share = 0;
+  double longest_out_s = 0;     ///< longest time that they were not within 10 degrees
+  double end_off_m = 0;         ///< distance to them at the end, less the metre
+  double longest_poster_s = 0;  ///< longest time that it looked at a poster instead
   int contacts = 0;
   double wall_s = 0;
   std::string status;

@@ -19,7 +19,7 @@ class Follow : public ::testing::Test {
 };
 
 TEST_F(Follow, StaysWithSomebodyWhoWalks) {
-  const FollowRun run = run_follow({0.25, true, false, false}, 3, 14);
+  const FollowRun run = run_follow({0.25, true, false, false, false}, 3, 14);
   EXPECT_EQ(run.contacts, 0);
   EXPECT_GT(run.in_view_share, 0.9);
   EXPECT_LT(std::abs(run.end_off_m), 0.4);

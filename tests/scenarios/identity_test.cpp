@@ -68,7 +68,7 @@ TEST_F(Identity, AFaceIsLearntKnownAgainAndAStrangerIsNot) {
   ASSERT_EQ(lesson.say.size(), 1u);
   EXPECT_EQ(lesson.say[0].text, "Ana");
   EXPECT_LT(lesson.say[0].t, 9 * kSecond);
-  const session::RunReport stranger = run(looking_up(wait("1.5", say_who())), 9, book);
+  const session::RunReport stranger = run(looking_up(wait("1.5", say_who())), 5, book);
   ASSERT_EQ(stranger.say.size(), 1u);
   EXPECT_EQ(stranger.say[0].text, "nobody I know");
 }

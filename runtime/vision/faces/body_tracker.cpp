@@ -22,6 +22,11 @@ constexpr double kClothesLike = 0.5;
 constexpr double kClothesSearch_px = 14;  // in the small picture
 constexpr double kClothesSearchShare = 0.8;
 constexpr double kTrunkVisible = 0.45;
+constexpr double kTrunkRange = 0.8;  // less of it tells nothing of the distance
+constexpr double kEverywhere = 0.9;  // of the picture: that is no body
+constexpr double kLikeAround = 0.3;  // beside it: more of that, and its edges are anywhere
+constexpr double kLeastJump = 0.7;   // of the distance, from look to look
+constexpr double kMostJump = 1.5;
 constexpr int kTrunkSide_px = 4;
 constexpr float kFew = 1e-4F;
 
@@ -29,6 +34,52 @@ cv::Rect2d trunk_of(const FacePercept& face, double half) {
   const double middle = face.x_px + face.w_px / 2;
   return {middle - half * face.w_px, face.y_px + kTrunkFrom * face.h_px, 2 * half * face.w_px,
           (kTrunkTo - kTrunkFrom) * face.h_px};
+}
+
+struct Window {
+  int at = 0;
+  double likeness = 0;  // mean
+};
+
+Window most_alike(const float* column, int first, int last, int width) {
+  double sum = std::accumulate(column + first, column + first + width, 0.0);
+  double best = sum;
+  int at = first;
+  for (int x = first + 1; x <= last; ++x) {
+    sum += column[x + width - 1] - column[x - 1];
+    if (sum > best + 1e-6) {
+      best = sum;
+      at = x;
+    }
+  }
+  return {at, best / width};
+}
+
+/// How far to both sides it goes on like the clothes: somebody near is wider than was expected, somebody far
+/// or turned narrower.
+std::pair<int, int> grown(const float* column, int columns, int at, int width) {
+  constexpr int kGap = 2;
+  const auto like = [&](int x) { return column[x] > kClothesLike; };
+  int from = at + width / 2;
+  for (int x = from, gap = 0; x >= 0 && gap <= kGap; --x) {
+    gap = like(x) ? 0 : gap + 1;
+    if (gap == 0) from = x;
+  }
+  int to = at + width / 2;
+  for (int x = to, gap = 0; x < columns && gap <= kGap; ++x) {
+    gap = like(x) ? 0 : gap + 1;
+    if (gap == 0) to = x + 1;
+  }
+  return {from, std::max(to, from + 1)};
+}
+
+double middle_of(const float* column, int from, int to) {
+  double weight = 0, moment = 0;
+  for (int x = from; x < to; ++x) {
+    weight += column[x];
+    moment += column[x] * (x + 0.5);
+  }
+  return weight > 0 ? moment / weight : (from + to) / 2.0;
 }
 
 }  // namespace
@@ -100,6 +151,7 @@ void BodyTracker::learn(const FacePercept& face) {
   clothes.tellable = clothes.looks >= kClothesLooks && cv::mean(likelihood(clothes, trunk))[0] >= kTellable;
   const auto body = find(face);
   if (!body || face.distance_m <= 0) return;
+  if (body->width_px <= 0 || body->cut_off) return;
   const double width_px_m = body->width_px * face.distance_m;
   clothes.width_px_m += (clothes.width_px_m == 0 ? 1 : 0.2) * (width_px_m - clothes.width_px_m);
 }
@@ -118,45 +170,38 @@ std::optional<BodyTracker::Body> BodyTracker::find(const FacePercept& face) cons
   const auto found = people_.find(face.id);
   if (found == people_.end() || !found->second.tellable) return std::nullopt;
   const cv::Rect2d whole = trunk_of(face, kTrunkHalf);
-  const double reach_px = scale_ * kClothesSearch_px + kClothesSearchShare * whole.width;
-  const cv::Rect area = in_small({whole.x - reach_px, whole.y, whole.width + 2 * reach_px, whole.height});
+  const cv::Rect band = in_small({0, whole.y, static_cast<double>(picture_.width), whole.height});
   const int width = std::max(kTrunkSide_px, cvRound(whole.width / scale_));
-  if (area.width < width || area.height * scale_ < kTrunkVisible * whole.height) return std::nullopt;
+  if (band.width < width || band.height * scale_ < kTrunkVisible * whole.height) return std::nullopt;
   // Columns: the trunk stands upright.
   cv::Mat columns;
-  cv::reduce(likelihood(found->second, area), columns, 0, cv::REDUCE_AVG);
+  cv::reduce(likelihood(found->second, band), columns, 0, cv::REDUCE_AVG);
   const auto* column = columns.ptr<float>();
-  double sum = std::accumulate(column, column + width, 0.0);
-  double best = sum;
-  int at = 0;
-  for (int x = 1; x + width <= area.width; ++x) {
-    sum += column[x + width - 1] - column[x - 1];
-    if (sum > best + 1e-6) {
-      best = sum;
-      at = x;
-    }
-  }
-  if (best / width < kClothesLike) return std::nullopt;
-  // Its middle: the centre of what is like it, in and about the window.
-  const int from = std::max(0, at - width / 3);
-  const int to = std::min(area.width, at + width + width / 3);
-  double weight = 0, moment = 0;
-  int wide = 0;
-  for (int x = from; x < to; ++x) {
-    const double w = column[x] > kClothesLike ? column[x] : 0;
-    weight += w;
-    wide += w > 0 ? 1 : 0;
-    moment += w * (x + 0.5);
-  }
-  const double middle = (area.x + moment / weight) * scale_;
-  return Body{{middle - whole.width / 2, area.y * scale_, whole.width, area.height * scale_},
-              wide * scale_,
-              best / width};
+  const int reach = cvRound(kClothesSearch_px + kClothesSearchShare * whole.width / scale_);
+  const int expected = cvRound(whole.x / scale_);
+  const int first = std::clamp(expected - reach, 0, band.width - width);
+  const int last = std::clamp(expected + reach, 0, band.width - width);
+  const Window best = most_alike(column, first, last, width);
+  if (best.likeness < kClothesLike) return std::nullopt;
+  const auto [from, to] = grown(column, band.width, best.at, width);
+  const bool whole_height = band.height * scale_ > kTrunkRange * whole.height;
+  const double inside = std::accumulate(column + from, column + to, 0.0);
+  const double all = std::accumulate(column, column + band.width, 0.0);
+  const int outside = band.width - (to - from);
+  const bool everywhere = outside < (1 - kEverywhere) * band.width || all - inside > kLikeAround * outside;
+  const double middle = (everywhere ? best.at + 0.5 * width : middle_of(column, from, to)) * scale_;
+  return Body{{middle - whole.width / 2, band.y * scale_, whole.width, band.height * scale_},
+              whole_height && !everywhere ? (to - from) * scale_ : 0,
+              from == 0 || to == band.width,
+              best.likeness};
 }
 
-double BodyTracker::distance_m(int id, const Body& body) const {
+double BodyTracker::distance_m(int id, const Body& body, double expected_m) const {
   const auto found = people_.find(id);
-  return found == people_.end() || body.width_px <= 0 ? 0 : found->second.width_px_m / body.width_px;
+  if (found == people_.end() || body.width_px <= 0) return 0;
+  const double seen_m = found->second.width_px_m / body.width_px;
+  if (body.cut_off && seen_m > expected_m) return 0;
+  return std::clamp(seen_m, kLeastJump * expected_m, kMostJump * expected_m);
 }
 
 void BodyTracker::keep_only(const std::vector<int>& ids) {

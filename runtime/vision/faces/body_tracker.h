@@ -15,9 +15,10 @@ namespace mirada::vision {
 class BodyTracker {
  public:
   struct Body {
-    cv::Rect2d box_px;    ///< of the trunk, in the picture's pixels
-    double width_px = 0;  ///< of what is like the clothes
-    double likeness = 0;  ///< 0..1
+    cv::Rect2d box_px;     ///< of the trunk, in the picture's pixels
+    double width_px = 0;   ///< of what is like the clothes; 0 = it tells nothing of the distance
+    bool cut_off = false;  ///< by the picture's side: it is wider than that
+    double likeness = 0;   ///< 0..1
   };
 
   /// A new picture, BGR.
@@ -27,8 +28,8 @@ class BodyTracker {
   /// The trunk of somebody learnt, near where it should be; `face`: where their
   /// face should be, in or out of the picture.
   std::optional<Body> find(const FacePercept& face) const;
-  /// How far away a body of this width is, by what was learnt; 0 = unknown.
-  double distance_m(int id, const Body& body) const;
+  /// How far away a body of this width is, by what was learnt, when it was expected that far; 0 = unknown.
+  double distance_m(int id, const Body& body, double expected_m) const;
 
   void keep_only(const std::vector<int>& ids);
   void forget() { people_.clear(); }

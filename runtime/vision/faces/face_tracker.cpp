@@ -22,12 +22,14 @@ constexpr double kBodyBearing_rad = 0.03;
 constexpr double kBodyRangeShare = 0.12;
 constexpr double kNoRange_m = 3;
 constexpr double kStartSpeed_mps = 0.3;
+constexpr double kUnsureSpeedFades = 0.85;
 constexpr double kFastest_mps = 1.6;
 constexpr double kSpeedFades_s = 1.0;  // of a face that is not seen
 constexpr double kGate_rad = 0.06;     // beyond the face's own size
 constexpr double kGateSpeed_mps = 0.8;
 constexpr double kMostSizeRatio = 2.0;
 constexpr double kNearest_m = 0.1;
+constexpr double kCutOff_px = 3;
 
 double cross_range(const Vector3d& from_lens) { return std::max(from_lens.norm(), kNearest_m); }
 
@@ -114,7 +116,18 @@ void FaceTracker::observe(Track& track, const Vector2d& p_O, const Vector2d& awa
   if (speed > kFastest_mps) track.state.tail<2>() *= kFastest_mps / speed;
 }
 
-void FaceTracker::correct(Track& track, const FacePercept& face, const View& view) const {
+/// A face that the picture's upper or lower edge cuts off is as high as its width says.
+FacePercept FaceTracker::made_whole(const FacePercept& face, const Track& track, const View& view) {
+  const bool above = face.y_px < kCutOff_px;
+  const bool below = face.y_px + face.h_px > view.camera.height_px - kCutOff_px;
+  const double height_px = face.w_px * track.shape;
+  if (above == below || face.h_px >= height_px) return face;
+  const double top_px = above ? face.y_px + face.h_px - height_px : face.y_px;
+  return place_face({{face.x_px, top_px, face.w_px, height_px}, face.score}, view.camera, view.X_RC);
+}
+
+void FaceTracker::correct(Track& track, const FacePercept& seen, const View& view) const {
+  const FacePercept face = made_whole(seen, track, view);
   const Vector3d p_O = to_O(face_point_R(face, view.X_RC), view.X_OR);
   const Vector2d away = Vector2d(p_O.x() - view.X_OR.x_m, p_O.y() - view.X_OR.y_m).normalized();
   const double edge = std::hypot(kRangeShare, 0.8 / size_px(face)) * face.distance_m;
@@ -124,7 +137,7 @@ void FaceTracker::correct(Track& track, const FacePercept& face, const View& vie
   const double apart = cross_range(face_point_R(face, view.X_RC) - view.X_RC.translation());
   track.size_px_m += 0.3 * (size_px(face) * apart - track.size_px_m);
   track.shape += 0.3 * (face.h_px / face.w_px - track.shape);
-  track.score = face.score;
+  track.score = seen.score;
   track.last_seen = track.t;
   ++track.looks;
 }
@@ -179,6 +192,8 @@ void FaceTracker::follow_bodies(const std::vector<BodySeen>& bodies, FacesPercep
     const Vector2d away(std::cos(angle), std::sin(angle));
     const double range = body.distance_m > 0 ? kBodyRangeShare * apart : kNoRange_m;
     observe(*track, Vector2d(X_OR.x_m, X_OR.y_m) + apart * away, away, range, kBodyBearing_rad * apart);
+    // Nothing tells how fast they come or go.
+    if (body.distance_m <= 0) track->state.tail<2>() *= kUnsureSpeedFades;
     track->last_body = seen.t_exposure;
     auto face = as_seen(*track, here);
     if (!face) continue;

@@ -73,7 +73,8 @@ class FaceTracker {
   static std::optional<FacePercept> as_seen(const Track& track, const View& view);
   static void observe(Track& track, const Eigen::Vector2d& p_O, const Eigen::Vector2d& away, double along_m,
                       double across_m);
-  void correct(Track& track, const FacePercept& face, const View& view) const;
+  static FacePercept made_whole(const FacePercept& face, const Track& track, const View& view);
+  void correct(Track& track, const FacePercept& seen, const View& view) const;
   Track begin(const FacePercept& face, const View& view, Micros t);
 
   RobotConfig robot_;

@@ -59,7 +59,8 @@ void FaceWatch::follow_bodies(const Frame& frame, const NeckAngles& neck, const 
       bodies_.learn(*shown);
     } else if (const auto body = bodies_.find(face)) {
       const FacePercept placed = finder_->place({body->box_px, body->likeness}, frame, neck);
-      found.push_back({face.id, placed.bearing_rad, bodies_.distance_m(face.id, *body), body->likeness});
+      found.push_back(
+          {face.id, placed.bearing_rad, bodies_.distance_m(face.id, *body, face.distance_m), body->likeness});
     }
   }
   tracker_.follow_bodies(found, seen, neck, X_OR);

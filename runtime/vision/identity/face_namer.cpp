@@ -13,8 +13,8 @@ constexpr std::size_t kVotes = 4;
 constexpr int kSameNames = 2;    // votes for a name
 constexpr int kNobodies = 3;     // votes for a stranger
 constexpr double kAhead = 0.05;  // of the next in likeness
-constexpr double kNameable_px = 24;
-constexpr double kTeachable_px = 28;  // a lesson wants more
+constexpr double kNameable_px = 20;
+constexpr double kTeachable_px = 24;  // a lesson wants more
 constexpr Micros kBetweenLooks = 280 * kMillisecond;
 
 bool is_shown(const FacePercept& face) { return !face.predicted && face.id > 0; }
