@@ -169,6 +169,62 @@ json distances(const Find& find, const RobotConfig& robot) {
   return out;
 }
 
+struct Bodies {
+  int pictures = 0, found = 0, as_face = 0;
+  std::vector<double> bearing_deg, distance;
+};
+
+/// Somebody shows their face for a second, turns round and stays: how they are followed by their clothes.
+void turn_round(double away_m, int variant, const RobotConfig& robot, Bodies& out) {
+  vision::FaceWatch watch(robot, *vision::FaceFinder::open(robot));
+  const world::Colour shirts[] = {{70, 110, 180}, {190, 60, 50},  {60, 140, 80},
+                                  {210, 160, 50}, {120, 70, 150}, {70, 110, 180}};
+  world::PersonConfig person;
+  person.height_m = 1.0;
+  person.shirt = shirts[variant];
+  world::WorldConfig room = *world::world_by_name("sala-1");
+  room.people = {person};
+  world::Renderer renderer(room, robot.camera, static_cast<std::uint64_t>(variant) + 1);
+  const NeckAngles neck{0, rad(-42)};
+  Eigen::Isometry3d X_WC = robot.X_RC(neck);
+  X_WC.pretranslate(Eigen::Vector3d(room.X_WR_start.x_m, room.X_WR_start.y_m, 0));
+  const double side_m = 0.06 * away_m * (variant - 2);
+  for (int i = 0; i < 50; ++i) {
+    const double turned = i < 20 ? 0 : std::min(M_PI, rad(12) * (i - 19));
+    const Pose2 X_WP{room.X_WR_start.x_m + away_m, room.X_WR_start.y_m + side_m, M_PI + turned};
+    const Micros t = i * 50'000;
+    const Frame frame{renderer.render(X_WC, {X_WP}, t), t, static_cast<std::uint64_t>(i) + 1};
+    const FacesPercept seen = watch.look(frame, neck, {});
+    if (i < 36) continue;
+    ++out.pictures;
+    out.as_face += !seen.faces.empty();
+    if (seen.bodies.empty()) continue;
+    ++out.found;
+    const FacePercept& body = seen.bodies.front();
+    out.bearing_deg.push_back(std::abs(deg(body.bearing_rad - std::atan2(side_m, away_m))));
+    out.distance.push_back(std::abs(body.distance_m / std::hypot(away_m, side_m) - 1));
+  }
+}
+
+json backs(const RobotConfig& robot) {
+  json out = json::array();
+  for (const double away_m : {0.9, 1.2, 1.6, 2.2}) {
+    Bodies bodies;
+    for (int variant = 0; variant < 6; ++variant) turn_round(away_m, variant, robot, bodies);
+    const auto median = [](std::vector<double>& all) {
+      std::sort(all.begin(), all.end());
+      return all.empty() ? 0.0 : all[all.size() / 2];
+    };
+    out.push_back({{"m", away_m},
+                   {"pictures", bodies.pictures},
+                   {"found", bodies.found},
+                   {"as_face", bodies.as_face},
+                   {"bearing_deg", median(bodies.bearing_deg)},
+                   {"distance_error", median(bodies.distance)}});
+  }
+  return out;
+}
+
 /// Somebody who walks across at 20 pictures a second: what one picture costs, on one thread.
 json cost(const RobotConfig& robot) {
   auto finder = vision::FaceFinder::open(robot);
@@ -221,6 +277,7 @@ int main() {
   std::cout << json{{"composites", rows},
                     {"turned", turned},
                     {"distances", distances(detectors[0].second, robot)},
+                    {"backs", backs(robot)},
                     {"cost", cost(robot)}}
                    .dump(1)
             << "\n";
