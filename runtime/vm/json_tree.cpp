@@ -1,6 +1,7 @@
 #include "vm/json_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -147,7 +148,10 @@ std::vector<JsonValue> JsonValue::fields() const {
 std::string plain_text(JsonValue value) {
   if (value.is_text()) return std::string(value.text());
   if (value.is_truth()) return value.truth() ? "true" : "false";
-  return value.is_number() ? number_to_string(value.number()) : std::string();
+  if (!value.is_number()) return {};
+  const double number = value.number();
+  // As a text zero has no sign; as a number 1 / -0 is another than 1 / 0.
+  return number == 0 && std::signbit(number) ? "-0" : number_to_string(number);
 }
 
 std::string shown_json(JsonValue value) {

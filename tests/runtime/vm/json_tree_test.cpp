@@ -1,5 +1,8 @@
 #include "vm/json_tree.h"
 
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -18,6 +21,13 @@ TEST(JsonTree, GivesWhatTheTextSays) {
   EXPECT_EQ(list[4].find("in").number(), -2.5);
   EXPECT_EQ(list[4].find("in").key(), "in");
   EXPECT_TRUE(tree.root().find("a").is_object());
+}
+
+TEST(JsonTree, AsATextZeroKeepsItsSign) {
+  const JsonTree tree = JsonTree::parse(R"([-0.0,0,-0,-0.5])");
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < tree.root().size(); ++i) texts.push_back(plain_text(tree.root()[i]));
+  EXPECT_EQ(texts, (std::vector<std::string>{"-0", "0", "-0", "-0.5"}));
 }
 
 TEST(JsonTree, WhatIsNotThereIsNothingAndHasNoParts) {
