@@ -30,9 +30,18 @@ Thread* Machine::Impl::new_thread(const Function& function, Instance* instance) 
 }
 
 /// Room for a frame, and its registers set to nothing. False (with a fault) when depth or memory are spent.
+/// What a call that is refused was given: no frame will give it back.
+static void drop_arguments(Thread& thread, const Function& function, std::uint32_t base) {
+  if (thread.frames.empty()) return;
+  for (const std::uint16_t slot : function.value_slots) {
+    if (slot < function.params) thread.stack[base + slot].v.~Value();
+  }
+}
+
 bool Machine::Impl::push_frame(Thread& thread, const Function& function, const Instr* back,
                                std::int32_t depth, std::uint32_t base, std::int32_t warp, BlockIndex caller) {
   if (thread.frames.size() >= limits.max_depth) {
+    drop_arguments(thread, function, base);
     fault(thread, caller, messages::too_deep, {{"limit", std::to_string(limits.max_depth)}});
     return false;
   }
@@ -42,6 +51,7 @@ bool Machine::Impl::push_frame(Thread& thread, const Function& function, const I
     list_bytes += (capacity - thread.capacity) * sizeof(Slot);
     if (out_of_memory()) {
       list_bytes -= (capacity - thread.capacity) * sizeof(Slot);
+      drop_arguments(thread, function, base);
       fault(thread, caller, messages::out_of_memory,
             {{"limit_mib", std::to_string(limits.max_total_bytes >> 20)}});
       return false;
