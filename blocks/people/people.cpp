@@ -1,4 +1,9 @@
 #include <algorithm>
+#include <chrono>
+#include <future>
+#include <memory>
+#include <thread>
+#include <utility>
 
 #include "blocks/call_checks.h"
 #include "blocks/motion/moving.h"
@@ -69,20 +74,33 @@ NativeResult who_is_it(robot::Robot& robot, NativeCall& call) {
 
 /// A lesson that goes on; ends it without learning when the script is stopped.
 struct LessonInHand final : vm::NativeState {
-  LessonInHand(vision::FaceBook& of, const std::string& name, Micros now)
-      : book(&of), number(of.begin_lesson(name)), since(now) {}
+  LessonInHand(std::shared_ptr<vision::FaceBook> of, const std::string& name, Micros now)
+      : book(std::move(of)), number(book->begin_lesson(name)), since(now) {}
   ~LessonInHand() override { (void)book->end_lesson(number, false); }
-  vision::FaceBook* book;
+  /// Keeps what was learnt; a file is written beside the motor loop, which must not wait for a slow card.
+  std::future<Status> keep() const {
+    std::packaged_task<Status()> task(
+        [book = book, number = number] { return book->end_lesson(number, true); });
+    std::future<Status> answer = task.get_future();
+    if (book->is_kept()) {
+      std::thread(std::move(task)).detach();
+    } else {
+      task();
+    }
+    return answer;
+  }
+  std::shared_ptr<vision::FaceBook> book;
   std::uint64_t number;
   Micros since;
+  std::future<Status> kept;
 };
 
 NativeResult learn_face(robot::Robot& robot, NativeCall& call) {
   constexpr Micros kLongestLesson = 20 * kSecond;
   explain(robot, call);
-  vision::FaceBook* book = robot.known_faces();
+  const std::shared_ptr<vision::FaceBook> book = robot.known_faces();
   const auto say = [&](Fault why) { robot.note(call.block(), std::move(why)); };
-  if (book == nullptr || !book->allowed()) {
+  if (!call.state() && (book == nullptr || !book->allowed())) {
     say(make_fault(call.block(), messages::faces_not_allowed));
     return NativeResult::finished();
   }
@@ -91,17 +109,24 @@ NativeResult learn_face(robot::Robot& robot, NativeCall& call) {
       say(fine.faults().front());
       return NativeResult::finished();
     }
-    call.state() = std::make_unique<LessonInHand>(*book, call.text(0), call.now());
+    call.state() = std::make_unique<LessonInHand>(book, call.text(0), call.now());
     return NativeResult::again_at();
   }
-  const auto& lesson = static_cast<const LessonInHand&>(*call.state());
-  const bool over = book->lesson_number() != lesson.number;
-  const int looks = over ? 0 : book->lesson()->looks;
-  const bool time_up = call.now() - lesson.since > kLongestLesson;
-  if (!over && looks < vision::FaceBook::kLessonLooks && !time_up) return NativeResult::again_at();
-  const bool learnt = looks >= vision::FaceBook::kFewestLooks;
-  if (!learnt && !over) say(make_fault(call.block(), messages::face_not_learnt, {{"name", call.text(0)}}));
-  if (const Status kept = book->end_lesson(lesson.number, learnt); !kept) say(kept.faults().front());
+  auto& lesson = static_cast<LessonInHand&>(*call.state());
+  if (!lesson.kept.valid()) {
+    const auto looks = lesson.book->looks_of(lesson.number);
+    if (!looks) return NativeResult::finished();
+    const bool time_up = call.now() - lesson.since > kLongestLesson;
+    if (*looks < vision::FaceBook::kLessonLooks && !time_up) return NativeResult::again_at();
+    if (*looks < vision::FaceBook::kFewestLooks) {
+      say(make_fault(call.block(), messages::face_not_learnt, {{"name", call.text(0)}}));
+      return NativeResult::finished();
+    }
+    lesson.kept = lesson.keep();
+  }
+  if (lesson.kept.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+    return NativeResult::again_at();
+  if (const Status kept = lesson.kept.get(); !kept) say(kept.faults().front());
   return NativeResult::finished();
 }
 

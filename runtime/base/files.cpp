@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <sstream>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/messages.h"
@@ -53,19 +54,31 @@ bool write_all(int fd, std::string_view bytes) {
   return true;
 }
 
+/// So that a power cut does not bring the old file back. Some file systems cannot; they are as safe as they
+/// are.
+void sync_folder(const fs::path& folder) {
+  const int fd = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (fd < 0) return;
+  (void)::fsync(fd);
+  ::close(fd);
+}
+
 }  // namespace
 
-Status write_file_atomically(const fs::path& path, std::string_view bytes) {
+Status write_file_atomically(const fs::path& path, std::string_view bytes, unsigned mode) {
   const fs::path temporary = path.string() + ".new";
-  const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  const int fd = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, mode);
   if (fd < 0) return write_fault(path);
-  const bool written = write_all(fd, bytes) && ::fsync(fd) == 0;
+  // An old temporary file has kept its rights; the umask counts all the same for those asked of all.
+  const bool safe = mode == 0644 || ::fchmod(fd, mode) == 0;
+  const bool written = safe && write_all(fd, bytes) && ::fsync(fd) == 0;
   const bool closed = ::close(fd) == 0;
   if (!written || !closed || ::rename(temporary.c_str(), path.c_str()) != 0) {
     const Fault fault = write_fault(path);
     ::unlink(temporary.c_str());
     return fault;
   }
+  sync_folder(path.parent_path());
   return Ok{};
 }
 

@@ -16,4 +16,16 @@ const char* to_string(Answer answer) {
   return "not_seen";
 }
 
+const char* to_string(Familiar familiar) {
+  switch (familiar) {
+    case Familiar::known:
+      return "known";
+    case Familiar::stranger:
+      return "stranger";
+    case Familiar::unsure:
+      break;
+  }
+  return "unsure";
+}
+
 }  // namespace mirada

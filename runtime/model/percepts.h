@@ -42,6 +42,7 @@ struct SonarPercept {
 
 /// Whether a face has been recognised: `unsure` until it was looked at often enough, or when nobody may be.
 enum class Familiar { unsure, stranger, known };
+const char* to_string(Familiar familiar);
 
 /// How the learning of a face goes.
 struct LessonPercept {

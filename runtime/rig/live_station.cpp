@@ -124,6 +124,7 @@ std::vector<session::Option> LiveStation::worlds() const { return world_options(
 std::vector<session::Option> LiveStation::robots() const { return robot_options(); }
 
 Status LiveStation::choose(const session::Setup& setup) {
+  if (const Status offered = only_offered(setup, this->setup()); !offered) return offered;
   end_calibration();
   return rebuild(setup);
 }

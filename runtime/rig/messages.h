@@ -9,6 +9,8 @@ inline constexpr Message camera_from_outside{
 inline constexpr Message nothing_ships{
     "nothing_ships", "I can't find any {what} in {folder}. Is Mirada installed whole?",
     "No encuentro ningún {what} en {folder}. ¿Está Mirada instalada entera?"};
+inline constexpr Message not_offered{"not_offered", "I don't know {name}. Choose one of {known}.",
+                                     "No conozco {name}. Elige entre {known}."};
 inline constexpr Message robot_closed{"robot_closed", "The robot is being switched off.",
                                       "El robot se está apagando."};
 

@@ -1,5 +1,7 @@
 #include "rig/setup_reader.h"
 
+#include <algorithm>
+
 #include "base/files.h"
 #include "model/camera_preset.h"
 #include "rig/calibration/kept_camera.h"
@@ -35,6 +37,22 @@ Result<RobotConfig> read_robot(const std::string& asked) {
 }
 
 }  // namespace
+
+Status only_offered(const session::Setup& asked, const session::Setup& now) {
+  Faults faults;
+  const auto check = [&](const char* place, const std::string& name, const std::string& has,
+                         const std::vector<std::string>& shipped) {
+    if (name.empty() || name == has || std::find(shipped.begin(), shipped.end(), name) != shipped.end())
+      return;
+    std::string known;
+    for (const std::string& id : shipped) known += (known.empty() ? "" : ", ") + id;
+    faults.push_back(make_fault(place, messages::not_offered, {{"name", name}, {"known", known}}));
+  };
+  check("/world", asked.world, now.world, world::shipped_worlds());
+  check("/robot", asked.robot, now.robot, shipped_robots());
+  check("/place", asked.place, now.place, shipped_places());
+  return faults.empty() ? Status(Ok{}) : Status(std::move(faults));
+}
 
 Result<LiveParts> read_setup(const session::Setup& setup, const std::string& camera) {
   auto world = read_world(setup.world);

@@ -7,6 +7,10 @@
 
 namespace mirada::rig {
 
+/// Whether somebody far away may ask for this: what ships, or what the station has now. A path would open any
+/// file of this computer.
+Status only_offered(const session::Setup& asked, const session::Setup& now);
+
 /// Reads the files that a setup names (ids or paths; "" = the first that ships): every fault of room and
 /// robot at once. The setup of the result holds the real ids. A calibration that was kept for this robot is
 /// used; one that does not fit is not, and `notes` says why.

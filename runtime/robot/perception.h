@@ -54,7 +54,7 @@ class Perception {
   const std::optional<Fault>& faces_trouble() const { return faces_trouble_; }
 
   /// Whose faces are known; null = faces are not told apart here.
-  vision::FaceBook* known_faces() const { return detectors_.book.get(); }
+  std::shared_ptr<vision::FaceBook> known_faces() const { return detectors_.book; }
 
   /// The robot was put elsewhere: forgets the floor's look and everything seen.
   void forget();

@@ -79,7 +79,7 @@ class Robot {
   /// The newest faces, or null when they are too old to say anything.
   const FacesPercept* faces() const;
   /// Whose faces are known; null = faces are not told apart here.
-  vision::FaceBook* known_faces() { return perception_.known_faces(); }
+  std::shared_ptr<vision::FaceBook> known_faces() { return perception_.known_faces(); }
   /// Whether a face has been seen since the run began.
   bool met_face() const { return met_face_; }
 

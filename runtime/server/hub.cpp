@@ -14,8 +14,8 @@ constexpr Micros kTelemetryPeriod = 45 * kMillisecond;  // with ticks of 10 ms: 
 constexpr Micros kCalibrationPeriod = 90 * kMillisecond;
 constexpr std::size_t kWrongCodesAMinute = 60;
 
-unsigned panel_mask(const session::Wanted& panels) {
-  return (panels.sonar ? 1u : 0u) | (panels.faces ? 2u : 0u) | (panels.room ? 4u : 0u) |
+unsigned panel_mask(const session::Wanted& panels, bool names) {
+  return (names ? 16u : 0u) | (panels.sonar ? 1u : 0u) | (panels.faces ? 2u : 0u) | (panels.room ? 4u : 0u) |
          (panels.memory ? 8u : 0u);
 }
 
@@ -29,6 +29,7 @@ bool same(const session::Wanted& a, const session::Wanted& b) {
 Hub::Hub(HubWiring wiring)
     : wiring_(std::move(wiring)),
       wrong_codes_(kWrongCodesAMinute, 60 * kSecond),
+      wrong_teacher_codes_(kWrongCodesAMinute, 60 * kSecond),
       telemetry_sent_(-kSecond),
       calibration_sent_(-kSecond) {}
 
@@ -101,8 +102,10 @@ void Hub::publish_telemetry() {
   std::map<unsigned, SharedBytes> by_panels;
   for (const auto& [id, viewer] : viewers_) {
     if (!viewer->greeted()) continue;
-    SharedBytes& message = by_panels[panel_mask(viewer->wanted)];
-    if (!message) message = std::make_shared<const std::string>(telemetry_text_->assemble(viewer->wanted));
+    SharedBytes& message = by_panels[panel_mask(viewer->wanted, viewer->may_drive)];
+    if (!message)
+      message =
+          std::make_shared<const std::string>(telemetry_text_->assemble(viewer->wanted, viewer->may_drive));
     viewer->link->offer_telemetry(message);
   }
 }
@@ -143,8 +146,8 @@ void Hub::publish_camera_words() {
 }
 
 void Hub::publish_known_faces() {
+  if (wiring_.station.known_faces_revision() == faces_revision_) return;
   const session::KnownFaces faces = wiring_.station.known_faces();
-  if (faces.revision == faces_revision_) return;
   faces_revision_ = faces.revision;
   const std::string text = known_faces_text(faces);
   for (const auto& [id, viewer] : viewers_) {
@@ -159,8 +162,8 @@ void Hub::end_calibration() {
 
 void Hub::give_current(Viewer& viewer) {
   if (const auto newest = wiring_.station.telemetry()) {
-    viewer.link->offer_telemetry(
-        std::make_shared<const std::string>(TelemetryText(*newest).assemble(viewer.wanted)));
+    viewer.link->offer_telemetry(std::make_shared<const std::string>(
+        TelemetryText(*newest).assemble(viewer.wanted, viewer.may_drive)));
   }
   if (const auto picture = viewer.wanted.camera ? wiring_.station.picture() : nullptr) {
     viewer.link->offer_picture(std::make_shared<const std::string>(picture_bytes(*picture)));

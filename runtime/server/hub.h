@@ -78,7 +78,9 @@ class Hub {
   void hello(Viewer& viewer, const ClientMessage& message);
   void check_code(Viewer& viewer, const std::string& code);
   /// Why this is not the code, or null when it is; a wrong one counts.
-  const Message* code_trouble(Viewer& viewer, const std::string& typed, const std::string& code);
+  /// Why this code does not do, or null; `own` and `all` count the viewer's tries and everybody's wrong ones.
+  const Message* code_trouble(const std::string& typed, const std::string& code, TryLimit& own,
+                              TryLimit& all);
   void run(Viewer& viewer, const std::string& program);
   void start_in_background(ViewerId id, std::string program);
   void evaluate(Viewer& viewer, const ClientMessage& message);
@@ -120,6 +122,7 @@ class Hub {
   ViewerId next_id_ = 1;
   OwnerLease lease_;
   TryLimit wrong_codes_;
+  TryLimit wrong_teacher_codes_;         ///< apart: nobody who guesses at the one keeps the teacher out
   std::atomic<std::uint64_t> stops_{0};  ///< counts the Stops: a start that began before one is void
   TokenBucket stop_news_{20, 20};
   std::size_t jobs_ = 0;

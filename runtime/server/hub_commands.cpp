@@ -99,17 +99,18 @@ void Hub::hello(Viewer& viewer, const ClientMessage& message) {
 }
 
 void Hub::check_code(Viewer& viewer, const std::string& code) {
-  const Message* trouble = code_trouble(viewer, code, wiring_.join_code);
+  const Message* trouble = code_trouble(code, wiring_.join_code, viewer.code_tries, wrong_codes_);
   viewer.may_drive = trouble == nullptr;
   if (trouble != nullptr) viewer.link->send_control(notice_text(*trouble));
 }
 
-const Message* Hub::code_trouble(Viewer& viewer, const std::string& typed, const std::string& code) {
+const Message* Hub::code_trouble(const std::string& typed, const std::string& code, TryLimit& own,
+                                 TryLimit& all) {
   const Micros now = wiring_.clock.now();
-  if (!viewer.code_tries.allows(now) || !wrong_codes_.allows(now)) return &messages::code_wait;
-  viewer.code_tries.count(now);
+  if (!own.allows(now) || !all.allows(now)) return &messages::code_wait;
+  own.count(now);
   if (same_code(typed, code)) return nullptr;
-  wrong_codes_.count(now);
+  all.count(now);
   return &messages::code_wrong;
 }
 
@@ -238,7 +239,8 @@ void Hub::change_faces(Viewer& viewer, const session::FacesStep& step) {
   const bool guarded = step.action == session::FacesStep::Action::allow && step.on;
   if (guarded && !wiring_.teacher_code.empty()) {
     if (step.code.empty()) return refuse(viewer, "faces", messages::teacher_code_needed);
-    const Message* trouble = code_trouble(viewer, step.code, wiring_.teacher_code);
+    const Message* trouble =
+        code_trouble(step.code, wiring_.teacher_code, viewer.teacher_tries, wrong_teacher_codes_);
     if (trouble != nullptr) return refuse(viewer, "faces", *trouble);
   }
   if (!begin_job(viewer, "faces")) return;

@@ -49,10 +49,6 @@ std::string sonar_text(const SonarPercept& sonar) {
   return out + "]}";
 }
 
-const char* who_text(Familiar familiar) {
-  return familiar == Familiar::known ? "known" : familiar == Familiar::stranger ? "stranger" : "unsure";
-}
-
 json lesson_json(const std::optional<LessonPercept>& lesson) {
   if (!lesson) return nullptr;
   return {{"name", lesson->name},
@@ -61,7 +57,7 @@ json lesson_json(const std::optional<LessonPercept>& lesson) {
           {"hint", lesson->hint == nullptr ? json(nullptr) : both_languages(*lesson->hint, {})}};
 }
 
-json face_json(const FacePercept& face) {
+json face_json(const FacePercept& face, bool names) {
   return {{"id", face.id},
           {"x", face.x_px},
           {"y", face.y_px},
@@ -72,18 +68,18 @@ json face_json(const FacePercept& face) {
           {"distance_m", face.distance_m},
           {"sigma_m", face.sigma_m},
           {"predicted", face.predicted},
-          {"name", face.name},
-          {"who", who_text(face.familiar)}};
+          {"name", names ? face.name : std::string()},
+          {"who", to_string(names ? face.familiar : Familiar::unsure)}};
 }
 
-std::string faces_text(const session::Telemetry& telemetry) {
+std::string faces_text(const session::Telemetry& telemetry, bool names) {
   if (!telemetry.percepts) return "null";
   const FacesPercept& percept = telemetry.percepts->faces;
   if (percept.frame == 0) return "null";
   json faces = json::array();
   json bodies = json::array();
-  for (const FacePercept& face : percept.faces) faces.push_back(face_json(face));
-  for (const FacePercept& body : percept.bodies) bodies.push_back(face_json(body));
+  for (const FacePercept& face : percept.faces) faces.push_back(face_json(face, names));
+  for (const FacePercept& body : percept.bodies) bodies.push_back(face_json(body, names));
   return dump({{"frame", percept.frame},
                {"t_us", percept.t_exposure},
                {"width", percept.picture_width_px},
@@ -91,7 +87,7 @@ std::string faces_text(const session::Telemetry& telemetry) {
                {"detector", percept.detector},
                {"faces", faces},
                {"bodies", bodies},
-               {"lesson", lesson_json(percept.lesson)},
+               {"lesson", names ? lesson_json(percept.lesson) : json(nullptr)},
                {"follow", {{"state", telemetry.follow_state}, {"id", telemetry.follow_id}}}});
 }
 
@@ -156,17 +152,18 @@ TelemetryText::TelemetryText(const session::Telemetry& telemetry)
     : time_(std::to_string(telemetry.t)),
       base_(base_text(telemetry)),
       sonar_(telemetry.percepts ? sonar_text(telemetry.percepts->sonar) : "null"),
-      faces_(faces_text(telemetry)),
+      faces_(faces_text(telemetry, true)),
+      nameless_faces_(faces_text(telemetry, false)),
       scene_(telemetry.scene_json.empty() ? "null" : telemetry.scene_json),
       memory_(telemetry.memory ? memory_text(*telemetry.memory) : "null") {}
 
-std::string TelemetryText::assemble(const session::Wanted& panels) const {
+std::string TelemetryText::assemble(const session::Wanted& panels, bool names) const {
   std::string out = base_;
   const auto part = [&out](const char* name, bool open, const std::string& text) {
     out += std::string(",\"") + name + "\":" + (open ? text : "null");
   };
   part("sonar", panels.sonar, sonar_);
-  part("faces", panels.faces, faces_);
+  part("faces", panels.faces, names ? faces_ : nameless_faces_);
   part("scene", panels.room, scene_);
   part("memory", panels.memory, memory_);
   return out + ",\"type\":\"telemetry\",\"t_us\":" + time_ + "}";

@@ -12,7 +12,8 @@ class TelemetryText {
   explicit TelemetryText(const session::Telemetry& telemetry);
 
   /// The message for a viewer with these panels open; a panel that is closed, or has nothing yet, is null.
-  std::string assemble(const session::Wanted& panels) const;
+  /// `names`: who the faces are is told; it is for those who may drive.
+  std::string assemble(const session::Wanted& panels, bool names) const;
   /// Everything but the time: equal means that nothing needs to be sent.
   bool same_content(const TelemetryText& other) const;
 
@@ -21,6 +22,7 @@ class TelemetryText {
   std::string base_;
   std::string sonar_;
   std::string faces_;
+  std::string nameless_faces_;
   std::string scene_;
   std::string memory_;
 };

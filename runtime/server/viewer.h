@@ -22,6 +22,7 @@ struct Hub::Viewer {
   std::set<std::string> keys_down;
   TokenBucket bucket{kMessagesPerSecond, kMessagesPerSecond};
   TryLimit code_tries{kCodeTries, 60 * kSecond};
+  TryLimit teacher_tries{kCodeTries, 60 * kSecond};
   std::size_t left_out = 0;  ///< messages over the rate, in a row
   std::size_t jobs = 0;
 

@@ -87,6 +87,8 @@ class Station {
   virtual std::optional<Fault> camera_words() const = 0;
 
   virtual KnownFaces known_faces() const = 0;
+  /// KnownFaces::revision alone; costs nothing.
+  virtual std::uint64_t known_faces_revision() const = 0;
   /// Ok once it is written down, or why not.
   virtual Status change_faces(const FacesStep& step) = 0;
 };

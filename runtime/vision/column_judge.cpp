@@ -247,8 +247,7 @@ ColumnScan::Verdict ColumnScan::judge(int column, int row, int top) {
     const bool smooth = !is_as_rough_as_floor(column, row - 1, end + 1, true);
     const bool shade =
         is_shade_of(mean_colour(column, row + 2, row + 8), mean_colour(column, end + 1, row - 1), false);
-    cross(row, end, smooth, !shade);
-    return {true, beyond};
+    if (cross(row, end, smooth, !shade)) return {true, beyond};
   }
   const Verdict shade = judge_shade(column, row, top);
   if (shade.floor_goes_on || shade.row != row) return shade;
@@ -256,8 +255,8 @@ ColumnScan::Verdict ColumnScan::judge(int column, int row, int top) {
   if (line.floor_goes_on || line.row != row || careful) return line;
   const int tile = end_of_joint(column, row, top, nullptr, kTile);
   if (tile < 0) return line;
-  cross(row, tile + kTile.floor_rows, true, true, true);
-  return {true, tile};
+  const bool judged_later = cross(row, tile + kTile.floor_rows, true, true, true);
+  return judged_later ? Verdict{true, tile} : line;
 }
 
 }  // namespace mirada::vision

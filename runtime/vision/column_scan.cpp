@@ -100,12 +100,15 @@ double ColumnScan::as_obstacle_m(int from_row, int to_row) const {
                                     scale_.depth_m[static_cast<std::size_t>(std::max(to_row, 0))]);
 }
 
-void ColumnScan::cross(int from_row, int to_row, bool doubtful, bool patch, bool large) {
+/// Keeps what was crossed, to be judged by its neighbours. False when there is no room: then nobody would.
+bool ColumnScan::cross(int from_row, int to_row, bool doubtful, bool patch, bool large) {
   constexpr double kWorthIt_m = 0.006;
   const double upright_m = as_obstacle_m(from_row, to_row);
-  if (crossed_.crossing_count == ColumnResult::kMostCrossings || upright_m < kWorthIt_m) return;
+  if (upright_m < kWorthIt_m) return true;
+  if (crossed_.crossing_count == ColumnResult::kMostCrossings) return false;
   crossed_.crossings[static_cast<std::size_t>(crossed_.crossing_count++)] = {
       from_row, to_row, static_cast<float>(upright_m), doubtful, false, patch, large};
+  return true;
 }
 
 bool ColumnScan::goes_up_beside(int column, int other, int foot_row, int strip_rows) const {

@@ -29,7 +29,7 @@ struct ColumnResult {
     bool patch = false;     ///< not the floor's own colour in another light
     bool large = false;     ///< too large to be passed unless it clearly lies flat
   };
-  static constexpr int kMostCrossings = 6;
+  static constexpr int kMostCrossings = 8;
 
   End end = End::nothing;
   double row = 0;        ///< where the floor ends, sub-pixel; half rows lie between two cells
@@ -130,7 +130,7 @@ class ColumnScan {
   static const Limits kJoint, kPatch, kTile;
   int end_of_joint(int column, int row, int top, const Surface* surface, const Limits& limits) const;
   double as_obstacle_m(int from_row, int to_row) const;
-  void cross(int from_row, int to_row, bool doubtful, bool patch, bool large = false);
+  bool cross(int from_row, int to_row, bool doubtful, bool patch, bool large = false);
   Verdict judge_line(int column, int row, int top);
   Verdict judge_shade(int column, int row, int top);
   int end_of_surface(int column, int row, int top, Surface surface) const;

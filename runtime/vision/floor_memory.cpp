@@ -79,7 +79,7 @@ bool plausible(const std::vector<ColumnResult>& results) {
 void FloorMemory::forget() {
   looks_.clear();
   trusted_ = false;
-  lost_pictures_ = 0;
+  lost_pictures_ = blind_pictures_ = 0;
 }
 
 /// Bit for bit the picture before although the robot or its neck has moved: the camera repeats itself.
@@ -139,13 +139,16 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
     trusted_ = plausible(results);
     return trusted_;
   }
-  if (shows_floor && is_blind(results) && is_in_other_light()) {
+  if (blind_all_round(results, place) && shows_floor && is_in_other_light()) {
+    // The looks that are known are still compared with the old one: all have become so much brighter.
     blind_results_ = results;
     scan_columns(grid, spans, study_.main_look(), column_scan, results);
-    if (plausible(results))
+    if (plausible(results)) {
       home_ = study_.main_look();
-    else
-      results = blind_results_;
+      blind_pictures_ = 0;
+      return true;
+    }
+    results = blind_results_;
   }
   if (is_lost(grid, spans, results, place)) {
     forget();
@@ -209,6 +212,20 @@ bool FloorMemory::is_in_other_light() const {
   const Look& main = study_.main_look();
   return has_colour(home_) && std::abs(main.red - home_.red) <= kSameColour &&
          std::abs(main.blue - home_.blue) <= kSameColour;
+}
+
+/// Pictures before this one have shown none of the floor either, and the robot or its neck has moved since:
+/// one thing that stands in the way would have let the floor be seen beside it.
+bool FloorMemory::blind_all_round(const std::vector<ColumnResult>& results, const Place& place) {
+  constexpr int kBlindBefore = 1;
+  if (!is_blind(results)) {
+    blind_pictures_ = 0;
+    return false;
+  }
+  if (blind_pictures_++ == 0) blind_since_ = place;
+  return blind_pictures_ > kBlindBefore &&
+         (moved(place.X_OR, blind_since_.X_OR, kLostMove_m, kLostTurn_rad) ||
+          std::abs(place.neck.pan_rad - blind_since_.neck.pan_rad) > kLostTurn_rad);
 }
 
 /// The floor that was learnt is nowhere to be seen, although the robot has looked round: it stands on another

@@ -35,6 +35,7 @@ class FloorMemory {
   void scan_columns(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const Look& home,
                     ColumnScan& scan, std::vector<ColumnResult>& results) const;
   bool learn_patches(const PictureGrid& grid, const std::vector<ColumnResult>& results);
+  bool blind_all_round(const std::vector<ColumnResult>& results, const Place& place);
   bool is_in_other_light() const;
   bool is_lost(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
                const std::vector<ColumnResult>& results, const Place& place);
@@ -48,6 +49,8 @@ class FloorMemory {
   int pictures_since_fade_ = 0;
   int lost_pictures_ = 0;
   Place lost_since_;
+  int blind_pictures_ = 0;
+  Place blind_since_;
   std::vector<ColumnResult> blind_results_;
   std::uint64_t fingerprint_ = 0;
   std::optional<Place> last_place_;

@@ -203,7 +203,9 @@ bool stands_out(const std::vector<ColumnResult>& results, int left, int right) {
     if (!ends_low(at(c))) return false;
     for (const int next : {left - 1, right + 1}) {
       if (next < 0 || next >= count) continue;
-      if (at(next).end == End::nothing || at(c).row <= at(next).row + kJump_rows) return false;
+      if (at(next).end == End::nothing || at(next).end == End::above_horizon ||
+          at(c).row <= at(next).row + kJump_rows)
+        return false;
     }
   }
   return true;
@@ -233,10 +235,8 @@ void drop_specks(const ColumnScan& scan, std::vector<ColumnResult>& results) {
       if (scan.is_careful_at(static_cast<int>(at(nearest).row)) ||
           (has_sides(scan, left, right, at(nearest)) && !is_blend(scan, left, right, at(nearest))))
         continue;
-      const ColumnResult& beside = right + 1 >= count || (left > 0 && at(left - 1).row > at(right + 1).row)
-                                       ? at(left - 1)
-                                       : at(right + 1);
-      const ColumnResult kept = beside;
+      const bool left_is_nearer = right + 1 >= count || (left > 0 && at(left - 1).row > at(right + 1).row);
+      const ColumnResult kept = left_is_nearer ? at(left - 1) : at(right + 1);
       for (int c = left; c <= right; ++c) at(c) = kept;
     }
   }

@@ -17,7 +17,7 @@
 namespace mirada::vision {
 namespace {
 
-/// Fitted to the errors of pictures that nothing was tuned on: a foot is round, dirty or in its own shade.
+/// Fitted to the errors in rooms made by chance: a foot is round, dirty or in its own shade.
 constexpr double kSigmaFit = 2;
 constexpr double kFootSigma_m = 0.004;
 

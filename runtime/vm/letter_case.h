@@ -14,7 +14,9 @@ class LowerCase {
  public:
   /// From `place` on, or a little before: where the text behind can no longer change what is given.
   explicit LowerCase(std::u16string_view text, std::size_t place = 0);
-  std::size_t start() const { return start_; }
+  /// Of a text that begins as the other's does, from where the other began.
+  LowerCase(std::u16string_view text, const LowerCase& beside)
+      : text_(text), start_(beside.start_), at_(beside.start_) {}
 
   bool more() const { return at_ < text_.size() || pending_ != 0; }
   char16_t next() {

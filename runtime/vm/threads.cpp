@@ -7,6 +7,17 @@
 #include "vm/messages.h"
 
 namespace mirada::vm {
+namespace {
+
+/// What a call that is refused was given: no frame will give it back.
+void drop_arguments(Thread& thread, const Function& function, std::uint32_t base) {
+  if (thread.frames.empty()) return;
+  for (const std::uint16_t slot : function.value_slots) {
+    if (slot < function.params) thread.stack[base + slot].v.~Value();
+  }
+}
+
+}  // namespace
 
 Thread* Machine::Impl::new_thread(const Function& function, Instance* instance) {
   if (spare.empty()) spare.push_back(&pool.emplace_back());
@@ -30,14 +41,6 @@ Thread* Machine::Impl::new_thread(const Function& function, Instance* instance) 
 }
 
 /// Room for a frame, and its registers set to nothing. False (with a fault) when depth or memory are spent.
-/// What a call that is refused was given: no frame will give it back.
-static void drop_arguments(Thread& thread, const Function& function, std::uint32_t base) {
-  if (thread.frames.empty()) return;
-  for (const std::uint16_t slot : function.value_slots) {
-    if (slot < function.params) thread.stack[base + slot].v.~Value();
-  }
-}
-
 bool Machine::Impl::push_frame(Thread& thread, const Function& function, const Instr* back,
                                std::int32_t depth, std::uint32_t base, std::int32_t warp, BlockIndex caller) {
   if (thread.frames.size() >= limits.max_depth) {

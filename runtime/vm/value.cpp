@@ -101,7 +101,7 @@ std::size_t same_front(std::u16string_view a, std::u16string_view b) {
 
 double compare_units(std::u16string_view a, std::u16string_view b) {
   LowerCase left(a, same_front(a, b));
-  LowerCase right(b, left.start());
+  LowerCase right(b, left);
   while (left.more() && right.more()) {
     if (left.skip_same(right)) continue;
     const char16_t x = left.next();

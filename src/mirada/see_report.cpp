@@ -23,10 +23,6 @@ nlohmann::json reading_json(const SonarReading& reading) {
           {"sigma_m", metres(reading.sigma_m)}};
 }
 
-const char* familiar_text(Familiar familiar) {
-  return familiar == Familiar::known ? "known" : familiar == Familiar::stranger ? "stranger" : "unsure";
-}
-
 nlohmann::json face_json(const FacePercept& face, const std::string& detector) {
   const auto tenth = [](double value) { return std::round(value * 10) / 10; };
   return {{"x", tenth(face.x_px)},
@@ -40,7 +36,7 @@ nlohmann::json face_json(const FacePercept& face, const std::string& detector) {
           {"sigma_m", metres(face.sigma_m)},
           {"id", face.id},
           {"name", face.name},
-          {"who", familiar_text(face.familiar)},
+          {"who", to_string(face.familiar)},
           {"state", face.predicted ? "predicted" : "seen"}};
 }
 

@@ -101,6 +101,18 @@ describe('the editor', { timeout: 900_000 }, () => {
     assert.equal(await page.locator(on.status).textContent(), 'Stopped.');
   });
 
+  test('Stop stops while a dialog is open', async () => {
+    await start(page);
+    await page.click(on.flag);
+    await page.locator('.mirada-running').first().waitFor();
+    await page.getByRole('button', { name: 'Robot and room' }).click();
+    await page.locator('dialog[open]').waitFor();
+    const box = await page.locator(on.stop).boundingBox();
+    await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+    await page.locator('.mirada-running').first().waitFor({ state: 'detached' });
+    assert.ok(robot.received.some((message) => message.type === 'stop'));
+  });
+
   test('Escape stops, and keys reach the program only while it runs and nobody edits', async () => {
     await start(page);
     await page.keyboard.press('ArrowUp');

@@ -1,6 +1,8 @@
 #include "vision/identity/face_book.h"
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
@@ -23,6 +25,17 @@ Fault unknown_name(const std::string& name) {
 std::size_t characters(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+/// Control characters, and those that turn the direction of writing: they change what stands beside a name.
+bool is_printable(const std::string& text) {
+  const bool controls =
+      std::any_of(text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; });
+  constexpr std::string_view kTurns[] = {"\u200E", "\u200F", "\u202A", "\u202B", "\u202C", "\u202D",
+                                         "\u202E", "\u2066", "\u2067", "\u2068", "\u2069"};
+  return !controls && std::none_of(std::begin(kTurns), std::end(kTurns), [&](std::string_view turn) {
+    return text.find(turn) != std::string::npos;
+  });
 }
 
 bool is_utf8(const std::string& text) {
@@ -49,7 +62,8 @@ double likeness_to(const std::vector<FaceFeature>& looks, const FaceFeature& fea
 
 Status check_face_name(const std::string& name) {
   const bool blank = name.find_first_not_of(" \t\r\n") == std::string::npos;
-  if (!blank && characters(name) <= FaceBook::kLongestName && is_utf8(name)) return Ok{};
+  if (!blank && characters(name) <= FaceBook::kLongestName && is_utf8(name) && is_printable(name))
+    return Ok{};
   return make_fault("", messages::face_name_bad, {{"max", std::to_string(FaceBook::kLongestName)}});
 }
 
@@ -86,6 +100,7 @@ Status FaceBook::read(const std::string& text) {
       const std::vector<double> values = look.numbers("feature", 1, kLongestFeature, -1, 1);
       known.looks.emplace_back(values.begin(), values.end());
     }
+    if (const Status fine = check_face_name(known.name); !fine) faults.push_back(fine.faults().front());
     people_.push_back(std::move(known));
   }
   if (has_errors(faults)) return faults;
@@ -93,23 +108,35 @@ Status FaceBook::read(const std::string& text) {
   return Ok{};
 }
 
-/// Written first, believed then. With the mutex held.
-Status FaceBook::save(std::vector<Known> people, bool allowed) {
-  std::sort(people.begin(), people.end(), [](const Known& a, const Known& b) { return a.name < b.name; });
-  if (!file_.empty()) {
-    json out{{"format", "mirada-faces"}, {"version", 1}, {"allowed", allowed}, {"people", json::array()}};
-    for (const Known& person : people) {
-      json looks = json::array();
-      for (const FaceFeature& look : person.looks) looks.push_back({{"feature", look}});
-      out["people"].push_back({{"name", person.name}, {"kind", person.kind}, {"looks", std::move(looks)}});
-    }
-    std::error_code error;
-    if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path(), error);
-    const Status written = write_file_atomically(file_, out.dump() + "\n");
-    if (!written) return written;
-    std::filesystem::permissions(
-        file_, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write, error);
+Status FaceBook::write(const std::vector<Known>& people, bool allowed) const {
+  constexpr unsigned kOwnerOnly = 0600;
+  json out{{"format", "mirada-faces"}, {"version", 1}, {"allowed", allowed}, {"people", json::array()}};
+  for (const Known& person : people) {
+    json looks = json::array();
+    for (const FaceFeature& look : person.looks) looks.push_back({{"feature", look}});
+    out["people"].push_back({{"name", person.name}, {"kind", person.kind}, {"looks", std::move(looks)}});
   }
+  std::error_code error;
+  if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path(), error);
+  return write_file_atomically(file_, out.dump() + "\n", kOwnerOnly);
+}
+
+/// Written first, believed then.
+Status FaceBook::change(const Edit& edit) {
+  const std::lock_guard changing(change_mutex_);
+  std::vector<Known> people;
+  bool allowed = false;
+  {
+    const std::lock_guard lock(mutex_);
+    people = people_;
+    allowed = allowed_;
+  }
+  if (const Status fine = edit(people, allowed); !fine) return fine;
+  std::sort(people.begin(), people.end(), [](const Known& a, const Known& b) { return a.name < b.name; });
+  if (is_kept()) {
+    if (const Status written = write(people, allowed); !written) return written;
+  }
+  const std::lock_guard lock(mutex_);
   people_ = std::move(people);
   allowed_ = allowed;
   ++revision_;
@@ -122,9 +149,15 @@ bool FaceBook::allowed() const {
 }
 
 Status FaceBook::allow(bool on) {
-  const std::lock_guard lock(mutex_);
-  if (!on) lesson_.reset();
-  return on == allowed_ ? Status(Ok{}) : save(people_, on);
+  {
+    const std::lock_guard lock(mutex_);
+    if (!on) lesson_.reset();
+    if (on == allowed_) return Ok{};
+  }
+  return change([on](std::vector<Known>&, bool& allowed) {
+    allowed = on;
+    return Status(Ok{});
+  });
 }
 
 std::vector<FaceBook::Person> FaceBook::people() const {
@@ -134,15 +167,9 @@ std::vector<FaceBook::Person> FaceBook::people() const {
   return out;
 }
 
-std::uint64_t FaceBook::revision() const {
-  const std::lock_guard lock(mutex_);
-  return revision_;
-}
-
-Status FaceBook::add(const std::string& name, const std::string& kind,
+Status FaceBook::add(std::vector<Known>& people, const std::string& name, const std::string& kind,
                      const std::vector<FaceFeature>& looks) {
   if (const Status fine = check_face_name(name); !fine) return fine;
-  std::vector<Known> people = people_;
   auto known = by_name(people, name);
   if (known == people.end()) {
     if (people.size() >= kMostPeople)
@@ -154,40 +181,44 @@ Status FaceBook::add(const std::string& name, const std::string& kind,
   known->looks.insert(known->looks.end(), looks.begin(), looks.end());
   if (known->looks.size() > kMostLooks)
     known->looks.erase(known->looks.begin(), known->looks.end() - static_cast<std::ptrdiff_t>(kMostLooks));
-  return save(std::move(people), allowed_);
+  return Ok{};
 }
 
 Status FaceBook::learn(const std::string& name, const std::string& kind,
                        const std::vector<FaceFeature>& looks) {
-  const std::lock_guard lock(mutex_);
-  return add(name, kind, looks);
+  return change([&](std::vector<Known>& people, bool&) { return add(people, name, kind, looks); });
 }
 
 Status FaceBook::rename(const std::string& name, const std::string& to) {
-  const std::lock_guard lock(mutex_);
   if (const Status fine = check_face_name(to); !fine) return fine;
-  std::vector<Known> people = people_;
-  const auto known = by_name(people, name);
-  if (known == people.end()) return unknown_name(name);
-  if (name == to) return Ok{};
-  if (by_name(people, to) != people.end()) return make_fault("", messages::face_name_taken, {{"name", to}});
-  known->name = to;
-  return save(std::move(people), allowed_);
+  return change([&](std::vector<Known>& people, bool&) -> Status {
+    const auto known = by_name(people, name);
+    if (known == people.end()) return unknown_name(name);
+    if (name != to && by_name(people, to) != people.end())
+      return make_fault("", messages::face_name_taken, {{"name", to}});
+    known->name = to;
+    return Ok{};
+  });
 }
 
 Status FaceBook::forget(const std::string& name) {
-  const std::lock_guard lock(mutex_);
-  std::vector<Known> people = people_;
-  const auto known = by_name(people, name);
-  if (known == people.end()) return unknown_name(name);
-  people.erase(known);
-  return save(std::move(people), allowed_);
+  return change([&](std::vector<Known>& people, bool&) -> Status {
+    const auto known = by_name(people, name);
+    if (known == people.end()) return unknown_name(name);
+    people.erase(known);
+    return Ok{};
+  });
 }
 
 Status FaceBook::forget_all() {
-  const std::lock_guard lock(mutex_);
-  lesson_.reset();
-  return save({}, allowed_);
+  {
+    const std::lock_guard lock(mutex_);
+    lesson_.reset();
+  }
+  return change([](std::vector<Known>& people, bool&) {
+    people.clear();
+    return Status(Ok{});
+  });
 }
 
 FaceBook::Match FaceBook::match(const FaceFeature& feature, const std::string& kind) const {
@@ -222,6 +253,12 @@ std::uint64_t FaceBook::lesson_number() const {
   return lesson_ ? lesson_->number : 0;
 }
 
+std::optional<std::size_t> FaceBook::looks_of(std::uint64_t lesson) const {
+  const std::lock_guard lock(mutex_);
+  if (!lesson_ || lesson_->number != lesson) return std::nullopt;
+  return lesson_->looks.size();
+}
+
 std::vector<FaceFeature> FaceBook::lesson_looks() const {
   const std::lock_guard lock(mutex_);
   return lesson_ ? lesson_->looks : std::vector<FaceFeature>();
@@ -238,11 +275,18 @@ void FaceBook::teach(std::uint64_t lesson, const std::string& kind, std::optiona
 }
 
 Status FaceBook::end_lesson(std::uint64_t lesson, bool keep) {
-  const std::lock_guard lock(mutex_);
-  if (!lesson_ || lesson_->number != lesson) return Ok{};
-  const Lesson done = std::move(*lesson_);
-  lesson_.reset();
-  return keep && allowed_ ? add(done.name, done.kind, done.looks) : Status(Ok{});
+  Lesson done;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!lesson_ || lesson_->number != lesson) return Ok{};
+    done = std::move(*lesson_);
+    lesson_.reset();
+    if (!keep || !allowed_) return Ok{};
+  }
+  // A teacher's no that came meanwhile counts.
+  return change([&](std::vector<Known>& people, bool& allowed) {
+    return allowed ? add(people, done.name, done.kind, done.looks) : Status(Ok{});
+  });
 }
 
 }  // namespace mirada::vision

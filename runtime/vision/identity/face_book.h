@@ -1,6 +1,8 @@
 #pragma once
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -15,7 +17,8 @@ namespace mirada::vision {
 
 /// The people whose faces were learnt: a name and features each, never pictures; and whether anybody may be
 /// learnt or recognised at all, which a teacher decides (off at first). Kept in one file, written atomically,
-/// or in memory only. Every call may come from any thread.
+/// or in memory only. Every call may come from any thread; what changes people or allowed() waits for the
+/// file, everything else never does.
 class FaceBook {
  public:
   static constexpr std::size_t kMostPeople = 60;
@@ -30,6 +33,9 @@ class FaceBook {
   /// What this file holds, allowed and in memory only: changes are not written. No file: nobody.
   static Result<std::shared_ptr<FaceBook>> copy_of(const std::filesystem::path& file);
 
+  /// Changes are written to a file, which can take long.
+  bool is_kept() const { return !file_.empty(); }
+
   bool allowed() const;
   Status allow(bool on);
 
@@ -39,7 +45,7 @@ class FaceBook {
   };
   std::vector<Person> people() const;  ///< by name
   /// Grows with every change of people or of allowed().
-  std::uint64_t revision() const;
+  std::uint64_t revision() const { return revision_; }
 
   Status learn(const std::string& name, const std::string& kind, const std::vector<FaceFeature>& looks);
   Status rename(const std::string& name, const std::string& to);
@@ -61,6 +67,8 @@ class FaceBook {
   /// How it goes, or nothing when none goes on.
   std::optional<LessonPercept> lesson() const;
   std::uint64_t lesson_number() const;
+  /// Looks of this lesson so far; nothing when it is over.
+  std::optional<std::size_t> looks_of(std::uint64_t lesson) const;
   /// One more look, or only what to do.
   void teach(std::uint64_t lesson, const std::string& kind, std::optional<FaceFeature> look,
              const Message* hint);
@@ -88,14 +96,18 @@ class FaceBook {
 
   explicit FaceBook(std::filesystem::path file) : file_(std::move(file)) {}
   Status read(const std::string& text);
-  Status save(std::vector<Known> people, bool allowed);
-  Status add(const std::string& name, const std::string& kind, const std::vector<FaceFeature>& looks);
+  using Edit = std::function<Status(std::vector<Known>& people, bool& allowed)>;
+  Status change(const Edit& edit);
+  Status write(const std::vector<Known>& people, bool allowed) const;
+  static Status add(std::vector<Known>& people, const std::string& name, const std::string& kind,
+                    const std::vector<FaceFeature>& looks);
 
-  mutable std::mutex mutex_;
+  std::mutex change_mutex_;     ///< one change at a time, its file included; taken before mutex_
+  mutable std::mutex mutex_;    ///< of everything below but the revision; never held while a file is written
   std::filesystem::path file_;  ///< "" = in memory only
   std::vector<Known> people_;   ///< by name
   bool allowed_ = false;
-  std::uint64_t revision_ = 1;
+  std::atomic<std::uint64_t> revision_ = 1;
   std::optional<Lesson> lesson_;
   std::uint64_t lessons_ = 0;
 };

@@ -1,6 +1,7 @@
 #include "vision/identity/face_namer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "vision/messages.h"
 
@@ -34,10 +35,14 @@ void FaceNamer::follow_book() {
 void FaceNamer::decide(Track& track) {
   std::map<std::string, int> count;
   for (const std::string& vote : track.votes) ++count[vote];
+  const int nobodies = std::exchange(count[""], 0);
   const auto most = std::max_element(count.begin(), count.end(),
                                      [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (most == count.end()) return;
-  if (most->second >= (most->first.empty() ? kNobodies : kSameNames)) track.who = most->first;
+  if (most->second >= kSameNames) {
+    track.who = most->first;
+  } else if (nobodies >= kNobodies) {
+    track.who = "";
+  }
 }
 
 std::optional<FaceFeature> FaceNamer::describe(const cv::Mat& bgr, FacesPercept& seen,
@@ -128,6 +133,12 @@ void FaceNamer::learn(const cv::Mat& bgr, FacesPercept& seen, std::uint64_t less
 void FaceNamer::look(const cv::Mat& bgr, FacesPercept& seen, bool may_describe) {
   follow_book();
   if (!book_->allowed()) return;
+  const auto is_gone = [&](const auto& track) {
+    const auto is_it = [&](const FacePercept& face) { return face.id == track.first; };
+    return std::none_of(seen.faces.begin(), seen.faces.end(), is_it) &&
+           std::none_of(seen.bodies.begin(), seen.bodies.end(), is_it);
+  };
+  std::erase_if(tracks_, is_gone);
   if (may_describe) {
     if (const std::uint64_t lesson = book_->lesson_number()) {
       learn(bgr, seen, lesson);

@@ -121,6 +121,9 @@ TEST_F(Files, AreWrittenWholeOrNotAtAll) {
   ASSERT_TRUE(write_file_atomically(path, "two"));
   EXPECT_EQ(read_file(path).value(), "two");
   EXPECT_FALSE(std::filesystem::exists(path.string() + ".new"));
+  ASSERT_TRUE(write_file_atomically(path, "mine", 0600));
+  EXPECT_EQ(std::filesystem::status(path).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
   const Status refused = write_file_atomically(folder_ / "none" / "a.json", "x");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.faults().front().code(), "file_not_written");

@@ -129,6 +129,15 @@ TEST_F(LiveStationTest, TheRoomIsShownWhenItIsWanted) {
       comes([](const Telemetry& now) { return now.scene_json.find("\"walls\"") != std::string::npos; }));
 }
 
+TEST_F(LiveStationTest, NobodyFarAwayOpensAFileByChoosingIt) {
+  session::Setup setup = station->setup();
+  setup.world = "/etc/hostname";
+  setup.robot = "../robot.json";
+  const Status refused = station->choose(setup);
+  ASSERT_EQ(refused.faults().size(), 2u);
+  for (const Fault& fault : refused.faults()) EXPECT_EQ(fault.code(), "not_offered");
+}
+
 TEST_F(LiveStationTest, ChoosingBuildsAnotherRobotOrLeavesTheOldOne) {
   session::Setup setup = station->setup();
   EXPECT_EQ(setup.world, "sala-1");

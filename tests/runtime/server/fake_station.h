@@ -80,6 +80,10 @@ class FakeStation final : public session::Station {
     const std::lock_guard lock(mutex_);
     return known_faces_;
   }
+  std::uint64_t known_faces_revision() const override {
+    const std::lock_guard lock(mutex_);
+    return known_faces_.revision;
+  }
   Status change_faces(const session::FacesStep& step) override {
     using Action = session::FacesStep::Action;
     const char* names[] = {"allow", "rename", "forget", "forget_all"};

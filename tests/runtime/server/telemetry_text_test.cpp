@@ -46,7 +46,7 @@ session::Telemetry rich() {
 }
 
 TEST(TelemetryText, says_all_that_the_protocol_names) {
-  const json out = json::parse(TelemetryText(rich()).assemble({true, true, true, true, true}));
+  const json out = json::parse(TelemetryText(rich()).assemble({true, true, true, true, true}, true));
   EXPECT_EQ(out["type"], "telemetry");
   EXPECT_EQ(out["t_us"], 1'250'000);
   EXPECT_EQ(out["state"], "running");
@@ -70,8 +70,25 @@ TEST(TelemetryText, says_all_that_the_protocol_names) {
   EXPECT_EQ(out["memory"]["next"]["watching"], "nothing");
 }
 
+TEST(TelemetryText, who_the_faces_are_is_not_for_everybody) {
+  session::Telemetry named = rich();
+  auto percepts = std::make_shared<Percepts>(*named.percepts);
+  percepts->faces.faces[0].name = "Ana";
+  percepts->faces.faces[0].familiar = Familiar::known;
+  percepts->faces.lesson = LessonPercept{"Ben", 1, 8, nullptr};
+  named.percepts = percepts;
+  const TelemetryText text(named);
+  const json told = json::parse(text.assemble({.faces = true}, true))["faces"];
+  EXPECT_EQ(told["faces"][0]["name"], "Ana");
+  EXPECT_EQ(told["lesson"]["name"], "Ben");
+  const std::string others = text.assemble({.faces = true}, false);
+  EXPECT_EQ(others.find("Ana"), std::string::npos);
+  EXPECT_EQ(others.find("Ben"), std::string::npos);
+  EXPECT_EQ(json::parse(others)["faces"]["faces"][0]["who"], "unsure");
+}
+
 TEST(TelemetryText, closed_panels_get_nothing) {
-  const json out = json::parse(TelemetryText(rich()).assemble({}));
+  const json out = json::parse(TelemetryText(rich()).assemble({}, true));
   EXPECT_TRUE(out["sonar"].is_null() && out["faces"].is_null() && out["scene"].is_null());
   EXPECT_EQ(out["run"], 3);
 }

@@ -134,5 +134,11 @@ TEST_F(FaceBookTest, ACopyIsNotWritten) {
   EXPECT_TRUE(FaceBook::copy_of(folder / "none.json").value()->people().empty());
 }
 
+TEST(FaceBook, NamesAreTextAndNothingElse) {
+  EXPECT_TRUE(check_face_name("Zoë 😀"));
+  for (const char* bad : {"", "  ", "a\x1b[2J", "a\nb", "\u202Eana"})
+    EXPECT_FALSE(check_face_name(bad)) << bad;
+}
+
 }  // namespace
 }  // namespace mirada::vision

@@ -10,6 +10,14 @@ double compared(std::string_view a, std::string_view b) {
   return compare(make_text(heap, a), make_text(heap, b));
 }
 
+TEST(Value, TextsWithSurrogatesCompareTheSameBothWays) {
+  const std::string grin = ".\U0001F600", beam = ".\U0001F601";
+  EXPECT_EQ(compared(grin, beam), -1);
+  EXPECT_EQ(compared(beam, grin), 1);
+  EXPECT_EQ(compared("'\U00010400", "'\U00010428"), 0);
+  EXPECT_EQ(compared("\u0301\U0001F600", "\u0301\U0001F601"), -1);
+}
+
 TEST(Value, TextsCompareInJavaScriptsLowerCase) {
   EXPECT_EQ(compared("\u00c9", "\u00e9"), 0);
   EXPECT_GT(compared("\u00e9", "\u0130"), 0);

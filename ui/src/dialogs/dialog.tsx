@@ -3,6 +3,7 @@ import * as Blockly from 'blockly/core';
 import type { ComponentChildren, VNode } from 'preact';
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { t } from '../messages';
+import { stop } from '../state/robot';
 
 /** The one dialog that is open, or null. */
 export const openDialog = signal<VNode | null>(null);
@@ -47,6 +48,14 @@ export function Dialog({ title, wide, firm, onClose, children }: Props) {
       release();
     };
   }, []);
+  // What lies behind a modal dialog hears nothing; the red button does all the same.
+  const pressedOutside = (event: PointerEvent) => {
+    if (event.target !== ref.current) return;
+    const button = document.querySelector('[data-testid=stop]')?.getBoundingClientRect();
+    const { clientX: x, clientY: y } = event;
+    if (button && x >= button.left && x <= button.right && y >= button.top && y <= button.bottom) stop();
+    else if (!firm) close();
+  };
   return (
     <dialog
       ref={ref}
@@ -56,7 +65,7 @@ export function Dialog({ title, wide, firm, onClose, children }: Props) {
         event.preventDefault();
         close();
       }}
-      onPointerDown={(event) => !firm && event.target === ref.current && close()}
+      onPointerDown={pressedOutside}
     >
       <div class="dialog-body">
         <header>

@@ -75,7 +75,13 @@ function SetupDialog() {
             <button type="button" class="button" onClick={newSeed}>
               {t('new_seed')}
             </button>
-            <p class="quiet">{t('seed_hint')}</p>
+            {seedOk ? (
+              <p class="quiet">{t('seed_hint')}</p>
+            ) : (
+              <p class="field-fault" role="alert">
+                {t('seed_range', { max: largestSeed })}
+              </p>
+            )}
           </div>
         )}
         {!free.value && <p class="field-fault">{t('watching')}</p>}

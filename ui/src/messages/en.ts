@@ -34,6 +34,7 @@ export const en = {
   robot: 'Robot',
   seed: 'Seed',
   new_seed: 'New seed',
+  seed_range: 'A whole number from 0 to {max}.',
   seed_hint: 'Same seed, same luck: noise and people repeat.',
   use_it: 'Use it',
   put_back: 'Put the robot back',

@@ -35,6 +35,7 @@ export const es: Record<MessageKey, string> = {
   robot: 'Robot',
   seed: 'Semilla',
   new_seed: 'Semilla nueva',
+  seed_range: 'Un número entero de 0 a {max}.',
   seed_hint: 'Misma semilla, misma suerte: el ruido y las personas se repiten.',
   use_it: 'Usar',
   put_back: 'Robot a su sitio',
