@@ -270,6 +270,7 @@ void Compiler::broadcast(const Block& block, Op op) {
   if (!field) {
     const Operand name = value_input(block, "BROADCAST_INPUT");
     build_->emit_end(op, name.reg);
+    if (op == Op::broadcast_wait) build_->emit(Op::await);
     return build_->free(name);
   }
   std::string name = field->value;
@@ -277,6 +278,7 @@ void Compiler::broadcast(const Block& block, Op op) {
     if (variable.id == field->id) name = variable.name;
   }
   build_->emit_end(op, text_constant(name));
+  if (op == Op::broadcast_wait) build_->emit(Op::await);
 }
 
 void Compiler::give_back(const Block& block) {

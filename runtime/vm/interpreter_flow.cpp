@@ -240,6 +240,11 @@ HANDLER(broadcast_wait) {
   return end_turn(t, at + 1, at, Exit::joined);
 }
 
+HANDLER(await) {
+  if (t.machine->look_at_joined(*t.thread)) return at + 1;
+  return end_turn(t, at, at, t.thread->dozes ? Exit::yielded : Exit::joined);
+}
+
 HANDLER(native) {
   const NativeSite& site = t.machine->native_site(at->a);
   Thread& thread = *t.thread;

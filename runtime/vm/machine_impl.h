@@ -81,12 +81,14 @@ struct Machine::Impl {
   void end_thread(Thread& thread, ThreadEnd why);
   void drop(Thread& thread);
   void release_waiters(Thread& thread);
+  void no_longer_active(Thread& thread);
   void disturb();
   void stop_all();
   void stop_all_by_block();
   void stop_others(Thread& keep);
   std::vector<Thread*> broadcast(const std::string& name);
   void join(Thread& thread, const std::vector<Thread*>& started);
+  bool look_at_joined(Thread& thread);
   void sleep(Thread& thread, Micros wake, bool next_tick);
   void fault(Thread& thread, BlockIndex block, const Message& message, MessageArgs args = {});
 

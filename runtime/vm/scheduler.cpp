@@ -29,10 +29,11 @@ void Machine::Impl::tick(bool back_to_back) {
 }
 
 /// Whether the tick goes on after a whole pass. In a Scratch project one that shows something or begins to
-/// wait ends the tick for all.
+/// wait ends the tick for all; back to back the next one follows at once.
 bool Machine::Impl::next_pass_is_due() {
-  const bool shown = std::exchange(redraw, false) && !ticking_back_to_back;
-  return pass_moved && !shown;
+  const bool shown = std::exchange(redraw, false);
+  if (shown && ticking_back_to_back) ++tick_number;
+  return pass_moved && (!shown || ticking_back_to_back);
 }
 
 /// Live: whether the tick has had its wall time. Its budget is spent then.

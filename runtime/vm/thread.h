@@ -98,9 +98,11 @@ struct Thread {
   Micros warp_since = 0;
   std::uint64_t turn_executions = 0;
   Micros wake = 0;
-  std::uint64_t earliest_tick = 0;                         ///< sleeping: not before this tick
-  std::size_t place = 0;                                   ///< in the list of threads
-  std::size_t pending = 0;                                 ///< scripts that it waits for
+  std::uint64_t earliest_tick = 0;  ///< sleeping: not before this tick
+  std::size_t place = 0;            ///< in the list of threads
+  std::size_t pending = 0;          ///< scripts that it waits for and that are listed
+  std::size_t active = 0;           ///< of those: neither ended nor dozing
+  bool dozes = false;               ///< waits for others, and looks no sooner than in the next tick
   std::vector<std::pair<Thread*, std::uint64_t>> waiters;  ///< who waits for this one, with their serials
   std::unique_ptr<NativeState> native_state;
   Instance* instance = nullptr;

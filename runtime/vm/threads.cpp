@@ -31,6 +31,8 @@ Thread* Machine::Impl::new_thread(const Function& function, Instance* instance) 
   thread.earliest_tick = 0;
   thread.warp = 0;
   thread.pending = 0;
+  thread.active = 0;
+  thread.dozes = false;
   thread.at = function.code.data();
   thread.shown = thread.at;
   if (!push_frame(thread, function, nullptr, 0, 0, 0, function.block_of.front())) {
@@ -153,6 +155,7 @@ void Machine::Impl::end_thread(Thread& thread, ThreadEnd why) {
   thread.state = ThreadState::done;
   thread.end = why;
   someone_ended = true;
+  if (!thread.dozes) no_longer_active(thread);
 }
 
 /// Tells the host and gives the thread's memory back. The thread is in no list any more.
@@ -167,14 +170,21 @@ void Machine::Impl::drop(Thread& thread) {
   recycle(thread);
 }
 
+/// The thread is in no list any more.
 void Machine::Impl::release_waiters(Thread& thread) {
   for (const auto& [waiter, serial] : thread.waiters) {
-    if (waiter->serial != serial || waiter->state != ThreadState::joining) continue;
-    if (--waiter->pending > 0) continue;
+    if (waiter->serial == serial) --waiter->pending;
+  }
+  thread.waiters.clear();
+}
+
+/// Who waits for nobody that still does something looks up at its next turn.
+void Machine::Impl::no_longer_active(Thread& thread) {
+  for (const auto& [waiter, serial] : thread.waiters) {
+    if (waiter->serial != serial || --waiter->active > 0 || waiter->state != ThreadState::joining) continue;
     waiter->state = ThreadState::ready;
     disturb();
   }
-  thread.waiters.clear();
 }
 
 /// Somebody has become ready: a yield is a yield again.
@@ -214,6 +224,8 @@ void Machine::Impl::stop_all_by_block() {
   for (Thread* thread : fresh) drop(*thread);
   for (std::size_t i = 0; i < doomed; ++i) {
     Thread& thread = *threads[i];
+    thread.waiters.clear();
+    thread.pending = thread.active = 0;
     if (i <= pass_index || thread.instance->is_clone) {
       end_thread(thread, ThreadEnd::killed);
     } else if (thread.state == ThreadState::joining) {
@@ -254,8 +266,31 @@ std::vector<Thread*> Machine::Impl::broadcast(const std::string& name) {
 void Machine::Impl::join(Thread& thread, const std::vector<Thread*>& receivers_started) {
   if (thread.state == ThreadState::done) return;  // it has started itself again
   thread.state = ThreadState::joining;
-  thread.pending = receivers_started.size();
-  for (Thread* other : receivers_started) other->waiters.emplace_back(&thread, thread.serial);
+  thread.pending = thread.active = receivers_started.size();
+  for (Thread* other : receivers_started) {
+    other->waiters.emplace_back(&thread, thread.serial);
+    if (other->state == ThreadState::done) --thread.active;
+  }
+}
+
+/// The look of a script that waits for others. Whether it goes on; if not, it looks again in the next pass,
+/// or, when all of the others have ended in this one or look no sooner themselves, in the next tick.
+bool Machine::Impl::look_at_joined(Thread& thread) {
+  if (thread.dozes) {
+    thread.dozes = false;
+    for (const auto& [waiter, serial] : thread.waiters) {
+      if (waiter->serial == serial) ++waiter->active;
+    }
+  }
+  if (thread.pending == 0) return true;
+  if (thread.active > 0) {
+    thread.state = ThreadState::joining;
+    return false;
+  }
+  thread.dozes = true;
+  no_longer_active(thread);
+  sleep(thread, host.now(), true);
+  return false;
 }
 
 void Machine::Impl::sleep(Thread& thread, Micros wake, bool next_tick) {

@@ -33,6 +33,8 @@ struct Thread {
   const Script* script = nullptr;
   std::vector<Frame> frames{};
   std::vector<std::shared_ptr<Thread>> waits_for{};
+  bool dozes = false;  ///< waits for others, and looks again in the next tick only
+  int dozes_since = 0;
   Value returned = std::string();
 };
 using Threads = std::vector<std::shared_ptr<Thread>>;
@@ -65,6 +67,8 @@ class Evaluator {
         if (!is_waiting(*thread)) turn(*thread);
       }
       std::erase_if(threads_, [](const auto& thread) { return thread->frames.empty(); });
+      if (std::all_of(threads_.begin(), threads_.end(), [](const auto& thread) { return thread->dozes; }))
+        ++tick_;
     }
     return {variables_, lists_};
   }
@@ -87,11 +91,20 @@ class Evaluator {
     return fresh;
   }
 
+  bool is_listed(const std::shared_ptr<Thread>& thread) const {
+    return std::find(threads_.begin(), threads_.end(), thread) != threads_.end();
+  }
+
+  /// Broadcast and wait: nobody in the list, it goes on; nobody who does anything, it looks in the next tick.
   bool is_waiting(Thread& thread) {
+    if (thread.dozes && thread.dozes_since == tick_) return true;
+    const auto& others = thread.waits_for;
     const bool waiting =
-        std::any_of(thread.waits_for.begin(), thread.waits_for.end(), [&](const auto& other) {
-          return std::find(threads_.begin(), threads_.end(), other) != threads_.end();
-        });
+        std::any_of(others.begin(), others.end(), [&](const auto& other) { return is_listed(other); });
+    thread.dozes = waiting && std::none_of(others.begin(), others.end(), [&](const auto& other) {
+                     return is_listed(other) && !other->frames.empty() && !other->dozes;
+                   });
+    thread.dozes_since = tick_;
     if (!waiting) thread.waits_for.clear();
     return waiting;
   }
@@ -355,6 +368,7 @@ class Evaluator {
   std::vector<std::vector<Value>> lists_;
   Threads threads_;
   int steps_ = 0;
+  int tick_ = 0;
 };
 
 }  // namespace
