@@ -62,8 +62,23 @@ bool FloorStudy::counts(int group) const {
   return group != kNoGroup && groups_[static_cast<std::size_t>(group)].size * 25 >= sample_count_;
 }
 
-/// Which groups begin columns, and which stand between two parts of one other group. Rare looks are looked
-/// through.
+/// Which groups begin columns. Rare looks are looked through.
+void FloorStudy::find_feet() {
+  for (int i = 0; i < kColumns; ++i) {
+    const Sample* column = &samples_[static_cast<std::size_t>(i * kRows)];
+    const Sample* const end = column + heights_[static_cast<std::size_t>(i)];
+    column = std::find_if(column, end, [&](const Sample& sample) { return counts(sample.group); });
+    if (column != end) ++groups_[static_cast<std::size_t>(column->group)].foot_columns;
+  }
+}
+
+/// What begins no column may be a wall: whatever lies between parts of it, or gives way to it, can be a part
+/// of the wall, too.
+bool FloorStudy::has_feet(int group) const {
+  return groups_[static_cast<std::size_t>(group)].foot_columns >= kColumns / 8;
+}
+
+/// Which groups give way to another one, and which stand between two parts of one other.
 void FloorStudy::look_along_columns() {
   for (int i = 0; i < kColumns; ++i) {
     const Sample* column = &samples_[static_cast<std::size_t>(i * kRows)];
@@ -75,12 +90,11 @@ void FloorStudy::look_along_columns() {
       const int group = column[j].group;
       if (!counts(group) || group == now) continue;
       if (now == kNoGroup) {
-        ++groups_[static_cast<std::size_t>(group)].foot_columns;
         first_group = group;
-      } else if (now == first_group && before == kNoGroup) {
+      } else if (now == first_group && before == kNoGroup && has_feet(group)) {
         ++groups_[static_cast<std::size_t>(first_group)].ended_columns;
       }
-      if (now != kNoGroup && group == before) inner[static_cast<std::size_t>(now)] = true;
+      if (now != kNoGroup && group == before && has_feet(group)) inner[static_cast<std::size_t>(now)] = true;
       before = now;
       now = group;
     }
@@ -88,15 +102,20 @@ void FloorStudy::look_along_columns() {
   }
 }
 
+/// Which groups come again beside another one.
 void FloorStudy::look_along_rows() {
   for (int j = 0; j < kRows; ++j) {
     std::array<int, kGroups> parts{};
+    std::array<bool, kGroups> seen_since{};
     int before = kNoGroup;
     for (int i = 0; i < kColumns; ++i) {
       if (j >= heights_[static_cast<std::size_t>(i)]) continue;
       const int group = samples_[static_cast<std::size_t>(i * kRows + j)].group;
-      if (!counts(group)) continue;
-      if (group != before) ++parts[static_cast<std::size_t>(group)];
+      if (!counts(group) || group == before) continue;
+      const auto g = static_cast<std::size_t>(group);
+      if (parts[g] == 0 || seen_since[g]) ++parts[g];
+      seen_since[g] = false;
+      if (has_feet(group)) seen_since.fill(true), seen_since[g] = false;
       before = group;
     }
     for (std::size_t g = 0; g < kGroups; ++g) groups_[g].parted_rows += parts[g] > 1;
@@ -154,6 +173,7 @@ FloorStudy::Verdict FloorStudy::run(const PictureGrid& grid, const std::vector<C
   sample(grid, spans, bottom, top);
   if (sample_count_ < kColumns * kRows / 4) return Verdict::no_pattern;
   if (glaring_ * 10 > sample_count_ * 6) return Verdict::glaring;
+  find_feet();
   look_along_columns();
   look_along_rows();
   if (!choose_floor()) return Verdict::no_pattern;

@@ -36,7 +36,7 @@ class FloorStudy {
     int light_sum = 0, red_sum = 0, blue_sum = 0;
     int size = 0;
     int foot_columns = 0;   ///< columns that it begins
-    int ended_columns = 0;  ///< columns that it begins and another goes on with
+    int ended_columns = 0;  ///< columns that it begins and another one with feet goes on with
     int inner_columns = 0;  ///< columns where it lies between two parts of another
     int parted_rows = 0;    ///< rows where something else lies between two parts of it
     bool floor = false;
@@ -49,6 +49,8 @@ class FloorStudy {
   void sample(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, int bottom, int top);
   int group_of(const Look& look);
   bool counts(int group) const;
+  void find_feet();
+  bool has_feet(int group) const;
   void look_along_columns();
   void look_along_rows();
   void teach_mixtures(FloorLooks& looks) const;
