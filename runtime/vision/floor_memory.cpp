@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vision/skirting.h"
 #include "vision/upright.h"
 
 namespace mirada::vision {
@@ -10,7 +11,9 @@ namespace {
 
 constexpr double kMoved_m = 0.01;
 constexpr double kMoved_rad = 0.02;
-constexpr double kLearnTo_m = 0.45;  // beyond the nearest visible floor
+constexpr double kLearnTo_m = 0.45;      // beyond the nearest visible floor
+constexpr std::size_t kMostlyBlind = 4;  // tenths
+constexpr std::size_t kNearlyBlind = 9;
 constexpr int kFadeEvery = 16;
 constexpr int kLostPictures = 10;
 constexpr double kLostMove_m = 0.15;
@@ -53,11 +56,11 @@ bool in_doubt(const ColumnResult& result, int row) {
   return false;
 }
 
-/// Nearly nowhere does the picture begin with floor.
-bool is_blind(const std::vector<ColumnResult>& results) {
+/// In so many tenths of its columns the picture does not begin with floor.
+bool is_blind(const std::vector<ColumnResult>& results, std::size_t tenths) {
   std::size_t blind = 0;
   for (const ColumnResult& result : results) blind += result.end == ColumnResult::End::not_floor_below;
-  return blind * 10 >= results.size() * 9;
+  return blind * 10 >= results.size() * tenths;
 }
 
 /// A picture whose floor goes on above the horizon, or that shows hardly any floor, teaches nothing.
@@ -97,7 +100,8 @@ bool FloorMemory::is_frozen(const PictureGrid& grid, const Place& place) {
 }
 
 void FloorMemory::scan_columns(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
-                               const Look& home, ColumnScan& scan, std::vector<ColumnResult>& results) const {
+                               const RowScale& scale, const Look& home, ColumnScan& scan,
+                               std::vector<ColumnResult>& results) const {
   const int middle = grid.columns() / 2;
   const auto run = [&](int column, const Look& start) {
     const auto i = static_cast<std::size_t>(column);
@@ -110,6 +114,7 @@ void FloorMemory::scan_columns(const PictureGrid& grid, const std::vector<Column
   start = foot;
   for (int column = middle + 1; column < grid.columns(); ++column) start = run(column, start);
   stop_at_upright(scan, spans, results);
+  stop_at_skirting(grid, scale, spans, scan, results);
   close_gaps(results);
 }
 
@@ -132,17 +137,17 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
   }
   ColumnScan column_scan(grid, looks_, scale);
   column_scan.prepare(texture_, home_, settings);
-  scan_columns(grid, spans, home_, column_scan, results);
+  scan_columns(grid, spans, scale, home_, column_scan, results);
   if (first) {
     // What this picture alone shows of a floor's other colours.
-    if (learn_patches(grid, results)) scan_columns(grid, spans, home_, column_scan, results);
+    if (learn_patches(grid, results)) scan_columns(grid, spans, scale, home_, column_scan, results);
     trusted_ = plausible(results);
     return trusted_;
   }
   if (blind_all_round(results, place) && shows_floor && is_in_other_light()) {
     // The looks that are known are still compared with the old one: all have become so much brighter.
     blind_results_ = results;
-    scan_columns(grid, spans, study_.main_look(), column_scan, results);
+    scan_columns(grid, spans, scale, study_.main_look(), column_scan, results);
     if (plausible(results)) {
       home_ = study_.main_look();
       blind_pictures_ = 0;
@@ -218,7 +223,7 @@ bool FloorMemory::is_in_other_light() const {
 /// one thing that stands in the way would have let the floor be seen beside it.
 bool FloorMemory::blind_all_round(const std::vector<ColumnResult>& results, const Place& place) {
   constexpr int kBlindBefore = 1;
-  if (!is_blind(results)) {
+  if (!is_blind(results, kMostlyBlind)) {
     blind_pictures_ = 0;
     return false;
   }
@@ -235,7 +240,7 @@ bool FloorMemory::is_lost(const PictureGrid& grid, const std::vector<ColumnSpan>
                           const std::vector<ColumnResult>& results, const Place& place) {
   int known = 0;
   int seen = 0;
-  if (is_blind(results)) {
+  if (is_blind(results, kNearlyBlind)) {
     for (std::size_t i = 1; i < spans.size(); i += 4) {
       for (int row = spans[i].bottom_row; row > spans[i].horizon_row; row -= 8) {
         known += looks_.knows(grid.look(static_cast<int>(i), row));

@@ -32,8 +32,8 @@ class FloorMemory {
     NeckAngles neck;
   };
   bool is_frozen(const PictureGrid& grid, const Place& place);
-  void scan_columns(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const Look& home,
-                    ColumnScan& scan, std::vector<ColumnResult>& results) const;
+  void scan_columns(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
+                    const Look& home, ColumnScan& scan, std::vector<ColumnResult>& results) const;
   bool learn_patches(const PictureGrid& grid, const std::vector<ColumnResult>& results);
   bool blind_all_round(const std::vector<ColumnResult>& results, const Place& place);
   bool is_in_other_light() const;

@@ -158,7 +158,8 @@ Kind kind_of_patch(const ColumnScan& scan, const std::vector<ColumnResult>& resu
   const ColumnResult& result = results[static_cast<std::size_t>(column)];
   const bool shadow_at_foot =
       !crossing.patch && result.end == End::boundary && std::abs(result.row - crossing.to_row) < 2;
-  if (shadow_at_foot && crossing.upright_m < kShadow_m && !scan.is_careful_at(crossing.from_row))
+  const bool wide = columns * 2 >= static_cast<int>(results.size());
+  if (shadow_at_foot && !wide && crossing.upright_m < kShadow_m && !scan.is_careful_at(crossing.from_row))
     return Kind::unsure;
   if (crossing.patch && joined) return Kind::thing;
   if (crossing.patch && columns < kNarrowest) return Kind::unsure;
