@@ -197,6 +197,21 @@ TEST(VisualSonar, ASheetInTheFloorsColourOnAWallIsNoWayThrough) {
   }
 }
 
+TEST(VisualSonar, ASkirtingBoardInNearlyTheFloorsLookIsTheFootOfTheWall) {
+  for (const double grey : {0.36, 0.37}) {
+    Scene scene;
+    scene.floor_colour = {0.4, 0.4, 0.4};
+    scene.wall_colour = {0.1, 0.25, 0.15};
+    scene.room_x_m = 0.8;
+    scene.boxes.push_back(Box{0.795, 0, 0, 0.01, 3.9, 0.05, {grey, grey, grey}});
+    const SonarPercept percept = look_once(testing::render(scene, robot(), {}, {}));
+    for (const int bearing_deg : {-20, 0, 20}) {
+      EXPECT_NEAR(at(percept, bearing_deg).distance_m, 0.79 / std::cos(rad(bearing_deg)), 0.03)
+          << bearing_deg << ", grey " << grey;
+    }
+  }
+}
+
 TEST(VisualSonar, APaintedLineIsAnObstacleOnlyWhenAskedFor) {
   Scene scene;
   scene.floor = Floor::field;
