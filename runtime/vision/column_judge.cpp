@@ -216,10 +216,10 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) {
     cross(row, end, false, false);
     return {true, beyond};
   }
-  // No shade is lighter than the floor has been in this column, but a skirting board is; a deeper band is lit
-  // floor beyond the shade.
+  // No shade is lighter than the floor has been in this column, but a skirting board is, and a darker one may
+  // share the colour of a floor that has hardly any; a deeper band is lit floor beyond the shade.
   const bool lighter = shade.light > std::max(floor.light, brightest_);
-  const bool as_board = (lighter || !careful) && as_obstacle_m(row, end) < kSkirting_m;
+  const bool as_board = (lighter || (!careful && !is_vivid_)) && as_obstacle_m(row, end) < kSkirting_m;
   const bool crisp = row - settled < kCrispRows;
   const bool doubtful = !is_as_rough_as_floor(column, settled, end + 1, !as_board && (careful || !crisp));
   if (careful && doubtful) return obstacle;

@@ -15,6 +15,7 @@ constexpr int kFootRows = 12;
 void ColumnScan::prepare(const FloorTexture& texture, const Look& home, const ScanSettings& settings) {
   home_light_ = home.light;
   is_colourful_ = has_colour(home);
+  is_vivid_ = has_colour(home, 2);
   settings_ = settings;
   texture_ = texture;
   tolerance_.light = std::clamp(static_cast<int>(std::lround(3.2 * texture.light_sigma)), 5, 24);

@@ -152,6 +152,7 @@ class ColumnScan {
   Tolerance tolerance_;
   LookFollower floor_;
   bool is_colourful_ = false;
+  bool is_vivid_ = false;  ///< so colourful that nothing else shares its colour by chance
   int home_light_ = 0;
   int brightest_ = 0;  ///< of the floor in this column so far
   ColumnResult crossed_;

@@ -20,11 +20,11 @@ struct Look {
   int blue = 128;
 };
 
-/// Clearly not grey.
-inline bool has_colour(const Look& look) {
+/// Clearly not grey; or so many times as clearly.
+inline bool has_colour(const Look& look, int times = 1) {
   constexpr int kGrey = 128;
   constexpr int kColourful = 12;
-  return std::abs(look.red - kGrey) + std::abs(look.blue - kGrey) >= kColourful;
+  return std::abs(look.red - kGrey) + std::abs(look.blue - kGrey) >= times * kColourful;
 }
 
 /// A picture seen as a fan of lines that stand upright in the room, each one bearing from the lens, and about

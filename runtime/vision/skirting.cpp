@@ -55,9 +55,10 @@ class Downwards {
 
 /// How the look changes at one height below the wall, over the columns.
 struct Steps {
-  LookMean edge = LookMean::Zero();   ///< sums: close to the foot
-  LookMean whole = LookMean::Zero();  ///< the board against the floor before it
-  LookMean joint = LookMean::Zero();  ///< what lies between them against that floor
+  LookMean edge = LookMean::Zero();    ///< sums: close to the foot
+  LookMean whole = LookMean::Zero();   ///< the board against the floor before it
+  LookMean across = LookMean::Zero();  ///< the same with a joint's width left out
+  LookMean joint = LookMean::Zero();   ///< what lies between them against that floor
   LookMean squares = LookMean::Zero();
   int votes = 0;
 
@@ -69,6 +70,8 @@ struct Steps {
     const LookMean step =
         column.mean(board_rows - kFootEdgeRows, board_rows) - column.mean(below, below + kFootEdgeRows);
     edge += step;
+    across +=
+        column.mean(board_rows - kFootEdgeRows, board_rows) - column.mean(beyond, beyond + kFootEdgeRows);
     squares += step * step;
     joint += column.mean(below - 1, beyond) - column.mean(beyond, beyond + floor_rows);
     whole += column.mean(1, board_rows) - column.mean(beyond, beyond + floor_rows);
@@ -82,8 +85,8 @@ struct Steps {
     const LookMean sigma = (squares / n - mean * mean).max(1).sqrt();
     float best = 0;
     for (int i = 0; i < 3; ++i) {
-      const float step = std::min(std::abs(mean[i]), std::abs(whole[i] / n));
-      const bool same_way = mean[i] * whole[i] > 0;
+      const float step = std::min({std::abs(mean[i]), std::abs(whole[i] / n), std::abs(across[i] / n)});
+      const bool same_way = mean[i] * whole[i] > 0 && mean[i] * across[i] > 0;
       // Darker or lighter than what lies on either side of it: a joint between tiles or planks.
       const bool is_joint = joint[i] < std::min(whole[i], 0.0F) - kJointStep * n ||
                             joint[i] > std::max(whole[i], 0.0F) + kJointStep * n;
