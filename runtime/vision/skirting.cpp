@@ -22,7 +22,7 @@ constexpr int kFootEdgeRows = 3;      // above and below the foot
 constexpr int kBoardFloorRows = 10;   // below the foot, at most
 constexpr int kMostBoardRows = 120;
 constexpr float kSmallestStep = 3.5F;  // Look units
-constexpr float kJointStep = 1;
+constexpr float kJointStep = 2;
 constexpr float kCertain = 5;   // times the standard error
 constexpr float kSameSpot = 3;  // neighbouring columns that show the same spot of a floor
 constexpr double kVotes = 0.8;  // of the columns that are asked
@@ -77,21 +77,24 @@ struct Steps {
     whole += column.mean(1, board_rows) - column.mean(beyond, beyond + floor_rows);
     ++votes;
   }
+  /// Darker or lighter than what lies on either side of it, as joints between tiles and planks are.
+  bool is_joint() const {
+    const LookMean low = whole.min(0) - kJointStep * static_cast<float>(votes);
+    const LookMean high = whole.max(0) + kJointStep * static_cast<float>(votes);
+    return (joint < low || joint > high).any();
+  }
   /// How clear a step there is; 0: none.
   float clearness(int asked) const {
     const auto n = static_cast<float>(votes);
-    if (votes < kVotes * asked || votes == 0) return 0;
+    if (votes < kVotes * asked || votes == 0 || is_joint()) return 0;
     const LookMean mean = edge / n;
     const LookMean sigma = (squares / n - mean * mean).max(1).sqrt();
     float best = 0;
     for (int i = 0; i < 3; ++i) {
       const float step = std::min({std::abs(mean[i]), std::abs(whole[i] / n), std::abs(across[i] / n)});
       const bool same_way = mean[i] * whole[i] > 0 && mean[i] * across[i] > 0;
-      // Darker or lighter than what lies on either side of it: a joint between tiles or planks.
-      const bool is_joint = joint[i] < std::min(whole[i], 0.0F) - kJointStep * n ||
-                            joint[i] > std::max(whole[i], 0.0F) + kJointStep * n;
       const bool certain = std::abs(mean[i]) > kCertain * sigma[i] * std::sqrt(kSameSpot / n);
-      if (same_way && certain && !is_joint && step >= kSmallestStep) best = std::max(best, step);
+      if (same_way && certain && step >= kSmallestStep) best = std::max(best, step);
     }
     return best;
   }
