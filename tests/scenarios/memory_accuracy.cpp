@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/units.h"
 #include "corner_run.h"
 #include "first_sight_run.h"
 
