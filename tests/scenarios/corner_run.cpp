@@ -28,12 +28,12 @@ std::string either(const std::string& a, const std::string& b) {
   return block({"operator_or", "or", block_input("OPERAND1", a) + ", " + block_input("OPERAND2", b), ""});
 }
 
-/// If the way there (positive to the right) is clear, goes half a metre and ends.
+/// If the way there (positive to the right) is clear, goes 60 cm and ends.
 std::string leave_by(int right_deg, const std::string& next) {
   using namespace rig;
   const std::string side = right_deg >= 0 ? "right" : "left";
   const std::string end = block({"control_stop", "end", "", R"("STOP_OPTION": "all")"});
-  const std::string go = turn(side, std::to_string(std::abs(right_deg)), drive("forward", "50", end));
+  const std::string go = turn(side, std::to_string(std::abs(right_deg)), drive("forward", "60", end));
   const std::string clear =
       block({"memory_way_clear", "clear", number_input("ANGLE", std::to_string(right_deg)), ""});
   return block({"control_if", "if", block_input("CONDITION", clear) + ", " + block_input("SUBSTACK", go), ""},

@@ -40,6 +40,7 @@ world::WorldConfig half_empty_room() {
   room.people.clear();
   room.tags.clear();
   room.jitter = {};
+  room.floor = {world::FloorKind::carpet, {150, 140, 125}, 1, 0.5};
   room.walls.front().points_m = {{-8, -4}, {8, -4}, {8, 4}, {-8, 4}, {-8, -4}};
   room.cylinders = {{{kThing_x_m, 0}, kThingRadius_m, 0.42, world::CylinderLook::stripes, {216, 116, 44}}};
   room.X_WR_start = {-4, 0, 0};
