@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kInCorner_m = 0.75;  // the lines' distance is 0.7 times this
+constexpr double kInCorner_m = 0.8;  // it stops when a line is 33 to 38 cm off on its way
 constexpr double kOutside_m = 0.95;
 constexpr double kNeckStill_rad = rad(2);
 const Vector2d kCorner_m(1.2, 0);
