@@ -8,7 +8,13 @@ namespace {
 
 constexpr double kStepPart = 0.7;  // of a cell, so that no square on the way is missed by much
 
-std::int32_t cell_of(double at_m) { return static_cast<std::int32_t>(std::floor(at_m / FreeFloor::kCell_m)); }
+/// floor(), which is a call where the processor's own rounding may not be counted on.
+std::int32_t cell_of(double at_m) {
+  constexpr double kPer_m = 1 / FreeFloor::kCell_m;
+  const double at = at_m * kPer_m;
+  const auto towards_0 = static_cast<std::int32_t>(at);
+  return towards_0 - (static_cast<double>(towards_0) > at ? 1 : 0);
+}
 
 }  // namespace
 

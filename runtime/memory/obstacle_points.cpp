@@ -1,6 +1,7 @@
 #include "memory/obstacle_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mirada::memory {
@@ -14,6 +15,8 @@ constexpr double kPassed_m = 0.03;  // a ray passes through only when it clearly
 constexpr double kSamePlace_m = 0.03;
 constexpr int kWidestWindow = 8;  // readings to a side that may show a place whose bearing has drifted
 constexpr double kReach_m = 6;
+constexpr double kBeside_rad = rad(0.6);
+constexpr double kWidestWedge_rad = rad(170);  // two half planes make a wedge only below 180 degrees
 constexpr double kTooUnsure_m = 0.5;
 constexpr double kRoom = 0.95;       // after a clearance this part of kMost is left
 constexpr unsigned char kKnown = 1;  // a place known better explains the reading
@@ -34,6 +37,12 @@ Eigen::Matrix2d ObstaclePoint::covariance(const DriftLedger& drift) const {
   return sigma_m * sigma_m * sight_O * sight_O.transpose() + across_m * across_m * side * side.transpose() +
          drift.covariance(seen, p_O_m);
 }
+
+/// The half plane to the left of an edge of the view, through the robot.
+struct Edge {
+  Vector2d along_O;
+  double left_of_m(const Vector2d& v) const { return along_O.x() * v.y() - along_O.y() * v.x(); }
+};
 
 /// One picture and what of it is explained by places known already.
 struct ObstaclePoints::Look {
@@ -56,6 +65,14 @@ struct ObstaclePoints::Look {
   /// Blocked where the picture ends below: the thing is somewhere nearer.
   bool upper_bound(const SonarReading& reading) const {
     return reading.distance_m <= near.distance_m(reading.bearing_rad) + kPassed_m / 2;
+  }
+  /// Both edges of what was looked at, half a reading and a little more outside.
+  std::array<Edge, 2> edges() const {
+    return {Edge{direction(sonar.readings.front().bearing_rad - kBeside_rad)},
+            Edge{direction(sonar.readings.back().bearing_rad + kBeside_rad)}};
+  }
+  bool wide() const {
+    return sonar.readings.back().bearing_rad - sonar.readings.front().bearing_rad > kWidestWedge_rad;
   }
 };
 
@@ -139,8 +156,18 @@ void ObstaclePoints::observe(const SonarPercept& sonar, const NearEdge& near, co
   if (sonar.readings.empty()) return;
   explained_.assign(sonar.readings.size(), 0);
   Look look{sonar, near, drift, {sonar.X_OR.x_m, sonar.X_OR.y_m}, explained_};
-  for (ObstaclePoint& point : points_) confront(point, look);
-  std::erase_if(points_, [](const ObstaclePoint& point) { return point.misses >= kLooksToClear; });
+  const auto [right, left] = look.edges();
+  const bool wide = look.wide();
+  bool cleared = false;
+  for (ObstaclePoint& point : points_) {
+    // Most places are out of view, which takes no angle to tell.
+    const Vector2d from = point.p_O_m - look.p_OR_m;
+    if (!wide && (right.left_of_m(from) < 0 || left.left_of_m(from) > 0)) continue;
+    confront(point, look);
+    cleared = cleared || point.misses >= kLooksToClear;
+  }
+  if (cleared)
+    std::erase_if(points_, [](const ObstaclePoint& point) { return point.misses >= kLooksToClear; });
   add_unexplained(look);
 }
 

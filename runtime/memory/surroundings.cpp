@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace mirada::memory {
 namespace {
@@ -16,6 +17,23 @@ constexpr double kGap_m = 0.13;   // squares between two looks may have been mis
 constexpr double kBody_m = 0.18;  // what the robot stands on is no answer
 constexpr double kFloorSigma_m = 0.04;
 
+/// The degree nearest to a direction of the robot's frame, 0 to 359: arctangent by Hastings' polynomial,
+/// right to a thousandth of a degree, for thousands of places a picture.
+int degree_of(const Vector2d& to_R) {
+  const double x = std::abs(to_R.x());
+  const double y = std::abs(to_R.y());
+  const double less = std::min(x, y) / std::max(std::max(x, y), 1e-9);
+  const double s = less * less;
+  double angle = 0.0208351;
+  for (const double factor : {-0.0851330, 0.1801410, -0.3302995, 0.9998660}) angle = angle * s + factor;
+  angle *= less;
+  if (y > x) angle = std::numbers::pi / 2 - angle;
+  if (to_R.x() < 0) angle = std::numbers::pi - angle;
+  if (to_R.y() < 0) angle = 2 * std::numbers::pi - angle;
+  const int degree = static_cast<int>(deg(angle) + 0.5);
+  return degree < Surroundings::kDirections ? degree : 0;
+}
+
 }  // namespace
 
 std::size_t Surroundings::index(double bearing_rad) {
@@ -26,15 +44,19 @@ std::size_t Surroundings::index(double bearing_rad) {
 void Surroundings::put_points(const ObstaclePoints& points, const DriftLedger& drift, const Pose2& X_OR) {
   std::array<const ObstaclePoint*, kDirections> nearest{};
   const Vector2d here(X_OR.x_m, X_OR.y_m);
+  const double c = std::cos(X_OR.heading_rad);
+  const double s = std::sin(X_OR.heading_rad);
   for (const ObstaclePoint& point : points.all()) {
     const Vector2d to = point.p_O_m - here;
     const double distance_m = to.norm();
-    const double bearing_rad = std::atan2(to.y(), to.x()) - X_OR.heading_rad;
+    const int middle = degree_of({c * to.x() + s * to.y(), c * to.y() - s * to.x()});
     const double half_rad = std::min(kHalfSpacing_m / std::max(distance_m, 0.01), kWidest_rad);
     const int spread = static_cast<int>(deg(half_rad) + 0.5);
-    const int middle = static_cast<int>(index(bearing_rad));
     for (int off = -spread; off <= spread; ++off) {
-      const auto i = static_cast<std::size_t>((middle + off + kDirections) % kDirections);
+      const int turned = middle + off;
+      const auto i = static_cast<std::size_t>(turned < 0              ? turned + kDirections
+                                              : turned >= kDirections ? turned - kDirections
+                                                                      : turned);
       if (nearest[i] != nullptr && all_[i].distance_m <= distance_m) continue;
       nearest[i] = &point;
       all_[i].distance_m = distance_m;

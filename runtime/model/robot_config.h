@@ -75,6 +75,8 @@ struct RobotConfig {
   MountConfig mount;
   LatencyConfig latency;
   std::optional<CheckConfig> check;
+  /// Painted lines on the floor end it, as walls do: for fields that must not be left.
+  bool lines_are_obstacles = false;
   std::optional<Place> place;  ///< what it knows of where it is; never from robot.json
 
   /// The robot's widest extent across its direction of travel.

@@ -39,6 +39,13 @@ TEST(WrapRad, StaysInTheHalfOpenCircle) {
   EXPECT_NEAR(wrap_rad(7.0), 7.0 - 2 * std::numbers::pi, 1e-12);
 }
 
+TEST(WrapRad, TheQuickWayGivesTheSameToTheBit) {
+  for (double angle = -11; angle < 11; angle += 0.00037)
+    ASSERT_EQ(wrap_rad(angle), wrap_any_rad(angle)) << angle;
+  for (const double turns : {-3, -2, -1, 0, 1, 2, 3})
+    ASSERT_EQ(wrap_rad(turns * std::numbers::pi), wrap_any_rad(turns * std::numbers::pi)) << turns;
+}
+
 TEST(Random, IsTheSameForTheSameSeedAndDiffersBetweenStreams) {
   Random a(7, "wheels");
   Random b(7, "wheels");

@@ -72,6 +72,27 @@ TEST_F(Memory, ARemovedObstacleIsGoneWithinTwoLooksAndANewOneIsThereAfterOne) {
   EXPECT_GT(at(0).distance_m, 2.5);
 }
 
+TEST_F(Memory, AtTheRimOfTheViewAPlaceIsClearedAsAnywhere) {
+  for (const double rim : {-31.0, 31.0}) {
+    look({{{std::cos(rad(rim)), std::sin(rad(rim)), 0.02}}}, 0);
+    ASSERT_EQ(memory_.points().all().size(), 1u) << rim;
+    look({}, 0, 2);
+    EXPECT_TRUE(memory_.points().all().empty()) << rim;
+  }
+}
+
+TEST_F(Memory, EachDirectionAnswersForItself) {
+  for (int degree = 0; degree < 360; degree += 9) {
+    memory_.forget();
+    pose_ = {0.3, -0.2, rad(77)};
+    const double angle = pose_.heading_rad + rad(degree);
+    look({{{pose_.x_m + std::cos(angle), pose_.y_m + std::sin(angle), 0.02}}}, degree);
+    EXPECT_EQ(at(degree).answer, Answer::blocked) << degree;
+    EXPECT_EQ(at(degree + 5).answer, Answer::clear) << degree;
+    EXPECT_EQ(at(degree - 5).answer, Answer::clear) << degree;
+  }
+}
+
 TEST_F(Memory, OneBehindAPillarStays) {
   const FlatRoom alone{{{1.6, 0, 0.08}}};
   look(alone, 0, 3);
