@@ -68,7 +68,7 @@ Result<RobotConfig> read_robot(std::string_view json_text, const std::string& fi
   JsonReader json(*parsed, "", faults);
   if (parsed->is_object()) {
     json.only({"$schema", "format", "version", "id", "name", "footprint_m", "drive", "camera", "neck",
-               "mount", "latency", "check"});
+               "mount", "latency", "check", "lines_are_obstacles"});
     read_head(json, file_name, robot);
     JsonReader camera = json.object("camera");
     read_camera(camera, fs::path(file_name).parent_path(), robot, file_faults);
@@ -76,6 +76,7 @@ Result<RobotConfig> read_robot(std::string_view json_text, const std::string& fi
     read_chain(json, robot);
     if (auto latency = json.object_if_present("latency")) read_latency(*latency, robot.latency);
     if (auto check = json.object_if_present("check")) robot.check = read_check(*check);
+    robot.lines_are_obstacles = json.truth_or("lines_are_obstacles", false);
   }
   name_file(faults, file_name);
   faults.insert(faults.end(), file_faults.begin(), file_faults.end());

@@ -60,6 +60,15 @@ TEST(RobotReader, EveryFaultComesAtOnceWithItsPlaceValueAndRange) {
   EXPECT_THAT(text, HasSubstr("/camera/fx_px must be a number from 10 to 20000, not -265"));
 }
 
+TEST(RobotReader, LinesAreObstaclesOnlyWhenTheFileSaysSo) {
+  const std::string rest = R"("camera": {"width_px": 320, "height_px": 240, "hfov_deg": 62.2},
+                              "mount": {"height_m": 0.2, "tilt_deg": 22}})";
+  EXPECT_FALSE(read_robot("{" + rest, "robot.json", nullptr).value().lines_are_obstacles);
+  EXPECT_TRUE(read_robot(R"({"lines_are_obstacles": true, )" + rest, "robot.json", nullptr)
+                  .value()
+                  .lines_are_obstacles);
+}
+
 TEST(RobotReader, AFocalLengthAndAViewThatDisagreeAreRefused) {
   const auto robot = read_robot(R"({"camera": {"fx_px": 314, "hfov_deg": 62.2},
                                       "mount": {"height_m": 0.11, "tilt_deg": 3}})",
