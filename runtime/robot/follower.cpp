@@ -1,6 +1,7 @@
 #include "robot/follower.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mirada::robot {
@@ -19,8 +20,9 @@ constexpr double kNeckDeadband_rad = rad(1.2);
 constexpr double kTurnFrom_rad = rad(22);  // following the face only: the neck does the rest
 constexpr double kTurnTo_rad = rad(6);
 constexpr double kFollowTurn_per_s = 2.6;
-constexpr double kSearchSweep_rad = rad(40);
-constexpr double kSearchPeriod_s = 2.4;
+constexpr double kSearchAside_rad = rad(40);
+constexpr double kSearchHigher_rad = rad(12);       // faces nearer by than expected are higher
+constexpr Micros kSearchHold = 600 * kMillisecond;  // a face is found in a picture that is still
 constexpr double kSearchTurn_radps = 0.6;
 constexpr double kSamePerson_m = 0.7;  // a new number this near to where they should be is still them
 constexpr double kReachGrows_mps = 0.4;
@@ -33,6 +35,9 @@ constexpr Micros kFirstLook = 800 * kMillisecond;
 // Heads differ in size by so much: beyond it the feet are the ones in doubt.
 constexpr double kFaceScaleLeast = 0.9;
 constexpr double kFaceScaleMost = 1.12;
+// The width of clothes is less sure, but learnt of the same person.
+constexpr double kBodyScaleLeast = 0.85;
+constexpr double kBodyScaleMost = 1.18;
 
 double reach_of_body(const RobotConfig& robot) {
   double reach_m = 0;
@@ -185,8 +190,8 @@ void Follower::step(const Sight& sight, const memory::VisualMemory& memory) {
     const Vector2d p = place_at(sight.now + micros(kLead_s));
     const Vector2d to(p.x() - sight.X_OR.x_m, p.y() - sight.X_OR.y_m);
     bearing_rad = wrap_rad(std::atan2(to.y(), to.x()) - sight.X_OR.heading_rad);
-    away_m = (target_->by_face ? std::clamp(range_scale_, kFaceScaleLeast, kFaceScaleMost) : range_scale_) *
-             to.norm();
+    away_m = to.norm() * (target_->by_face ? std::clamp(range_scale_, kFaceScaleLeast, kFaceScaleMost)
+                                           : std::clamp(range_scale_, kBodyScaleLeast, kBodyScaleMost));
     if (state_ != FollowState::searching && std::abs(bearing_rad) > rad(3))
       search_side_ = bearing_rad > 0 ? 1 : -1;
   }
@@ -226,8 +231,9 @@ bool Follower::glance(const Sight& sight, const memory::VisualMemory& memory) {
 void Follower::measure_range(const Sight& sight, const memory::VisualMemory& memory) {
   constexpr double kBeside_rad = rad(14);
   constexpr double kFeet_m = 0.12;  // from where they are seen to the person's middle
-  constexpr double kFarthest = 1.35, kNearest = 0.4;
-  constexpr double kTrust = 0.6;
+  // What stands farther off from where they should be is something else.
+  constexpr double kFarthest = 1.35, kNearest = 0.7;
+  constexpr double kTrust = 0.4;
   if (!target_) return;
   const Vector2d here(sight.X_OR.x_m, sight.X_OR.y_m);
   const Vector2d to = place_at(glance_settled_) - here;
@@ -247,14 +253,17 @@ void Follower::move_neck(const Sight& sight, double bearing_rad, double away_m,
   if (!gaze_->can_pan() && !gaze_->can_tilt()) return;
   if (glance(sight, memory)) return;
   double pan = bearing_rad;
+  const Micros lost_at = target_ ? target_->t + kPredictFor : begun_at_;
+  const Micros look = std::max<Micros>(0, sight.now - lost_at) / kSearchHold;
   if (state_ == FollowState::searching)
-    pan += kSearchSweep_rad * std::sin(2 * M_PI * seconds(sight.now) / kSearchPeriod_s);
+    pan += kSearchAside_rad * search_side_ * std::array{0, 1, 0, -1}[static_cast<std::size_t>(look) % 4];
   if (state_ == FollowState::gone) pan = 0;
   const NeckAngles now = gaze_->state(sight.now).angles;
   if (std::abs(pan - now.pan_rad) > kNeckDeadband_rad) gaze_->pan_to(pan);
   if (!gaze_->can_tilt()) return;
   const double up = target_ ? std::atan2(target_->height_m, std::max(away_m, 0.3)) : rad(20);
-  const double tilt = -(up - kFaceAbove_rad) - robot_.mount.tilt_rad;
+  const bool higher = state_ == FollowState::searching && look % 8 >= 4;
+  const double tilt = -(up - kFaceAbove_rad + (higher ? kSearchHigher_rad : 0)) - robot_.mount.tilt_rad;
   if (std::abs(tilt - now.tilt_rad) > kNeckDeadband_rad) gaze_->tilt_to(tilt);
 }
 
