@@ -15,13 +15,13 @@ using Eigen::Vector3d;
 constexpr Micros kForgetAfter = 4 * kSecond;
 constexpr Micros kForgetNewAfter = 250 * kMillisecond;  // seen once only
 constexpr int kSureLooks = 2;
-constexpr double kPush_mps2 = 1.2;      // how hard people start, stop and turn, one sigma
+constexpr double kPush_mps2 = 1.0;      // how hard people start, stop and turn, one sigma
 constexpr double kBearing_rad = 0.012;  // how far a box's middle may be off
 constexpr double kRangeShare = 0.05;
-constexpr double kOldRange = 4;    // times as unsure, of a box that was only moved along
-constexpr double kMostSigmas = 3;  // a look that is farther off counts less
+constexpr double kOldRange = 3;    // times as unsure, of a box that was only moved along
+constexpr double kMostSigmas = 5;  // a look that is farther off counts less
 constexpr double kBodyBearing_rad = 0.03;
-constexpr double kBodyRangeShare = 0.12;
+constexpr double kBodyRangeShare = 0.22;  // looks that follow each other err alike
 constexpr double kNoRange_m = 3;
 constexpr double kStartSpeed_mps = 0.3;
 constexpr double kUnsureSpeedFades = 0.85;
