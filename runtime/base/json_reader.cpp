@@ -115,6 +115,11 @@ bool JsonReader::truth_or(std::string_view field, bool fallback) {
   return fallback;
 }
 
+bool JsonReader::truth(std::string_view field) {
+  if (!has(field)) fault(field, messages::field_missing);
+  return truth_or(field, false);
+}
+
 std::string JsonReader::choice(std::string_view field, std::initializer_list<std::string_view> choices) {
   const nlohmann::json* value = find(field);
   std::string list;
@@ -123,7 +128,10 @@ std::string JsonReader::choice(std::string_view field, std::initializer_list<std
       return std::string(choice);
     list += (list.empty() ? "" : ", ") + std::string(choice);
   }
-  fault(field, messages::choice_needed, {{"choices", list}, {"value", value ? short_json(*value) : "-"}});
+  if (value)
+    fault(field, messages::choice_needed, {{"choices", list}, {"value", short_json(*value)}});
+  else
+    fault(field, messages::choice_missing, {{"choices", list}});
   return std::string(*choices.begin());
 }
 

@@ -30,6 +30,8 @@ class JsonReader {
   double number_or(std::string_view field, double min, double max, double fallback);
   std::string text(std::string_view field);
   std::string text_or(std::string_view field, std::string fallback);
+  /// `field_missing` when it is absent.
+  bool truth(std::string_view field);
   bool truth_or(std::string_view field, bool fallback);
   /// One of `choices`; the first of them when it fails.
   std::string choice(std::string_view field, std::initializer_list<std::string_view> choices);

@@ -32,6 +32,8 @@ inline constexpr Message truth_needed{"truth_needed", "{field} must be true or f
                                       "{field} debe ser true o false, no {value}."};
 inline constexpr Message choice_needed{"choice_needed", "{field} must be one of {choices}, not {value}.",
                                        "{field} debe ser uno de {choices}, no {value}."};
+inline constexpr Message choice_missing{"choice_missing", "{field} is missing: one of {choices}.",
+                                        "Falta {field}: uno de {choices}."};
 inline constexpr Message number_missing{"number_missing", "{field} is missing: a number from {min} to {max}.",
                                         "Falta {field}: un número de {min} a {max}."};
 inline constexpr Message field_missing{"field_missing", "{field} is missing.", "Falta {field}."};

@@ -31,7 +31,16 @@ constexpr std::array<std::pair<std::string_view, ClientVerb>, 12> kVerbs{{
     {"faces", ClientVerb::faces},
 }};
 constexpr std::size_t kMaxFieldBytes = 4096;
+constexpr std::size_t kLongestName = 40;          // characters, as the book of faces keeps them
 constexpr double kMaxWhole = 9007199254740991.0;  // 2^53 - 1: what JSON numbers hold exactly everywhere
+
+Fault too_long(std::string_view field, const std::string& path) {
+  if (field == "name" || field == "to")
+    return make_fault(path, messages::name_too_long,
+                      {{"field", path}, {"max", std::to_string(kLongestName)}});
+  return make_fault(path, messages::text_too_long,
+                    {{"field", path}, {"max", std::to_string(kMaxFieldBytes)}});
+}
 
 /// The members but the program as a tree; those that cannot be parsed become faults.
 json small_fields(const ScannedObject& scanned, Faults& faults) {
@@ -40,8 +49,8 @@ json small_fields(const ScannedObject& scanned, Faults& faults) {
     if (name == "program") continue;
     const std::string path = fmt::format("/{}", std::string_view(name).substr(0, 40));
     if (text.size() > kMaxFieldBytes) {
-      faults.push_back(make_fault(path, messages::text_too_long,
-                                  {{"field", path}, {"max", std::to_string(kMaxFieldBytes)}}));
+      faults.push_back(too_long(name, path));
+      if (text.front() == '"') fields[name] = "";  // it is there
       continue;
     }
     json value = json::parse(text, nullptr, false);
@@ -117,7 +126,7 @@ void read_faces(JsonReader& in, session::FacesStep& out) {
   const std::string action = in.choice("action", {"forget_all", "forget", "rename", "allow"});
   if (action == "allow") {
     out.action = Action::allow;
-    out.on = in.truth_or("on", false);
+    out.on = in.truth("on");
     out.code = in.text_or("code", "");
     return;
   }

@@ -86,6 +86,8 @@ inline constexpr Message key_unknown{"key_unknown", "I do not know that key.", "
 inline constexpr Message client_needed{
     "client_needed", "{field} must be 8 to 64 letters, digits, dashes or underscores.",
     "{field} debe tener de 8 a 64 letras, cifras, guiones o guiones bajos."};
+inline constexpr Message name_too_long{"name_too_long", "{field} must have 1 to {max} characters.",
+                                       "{field} debe tener de 1 a {max} caracteres."};
 inline constexpr Message text_too_long{"text_too_long", "{field} may have at most {max} bytes.",
                                        "{field} puede tener como mucho {max} bytes."};
 

@@ -34,8 +34,11 @@ inline constexpr Message duplicate_variable{"duplicate_variable", "Two variables
                                             "Dos variables tienen el mismo id {id}."};
 
 inline constexpr Message project_broken{
-    "project_broken", "This is no whole Scratch project: its JSON breaks at byte {byte}.",
-    "Esto no es un proyecto de Scratch completo: su JSON se rompe en el byte {byte}."};
+    "project_broken",
+    "This file is no Scratch project (.sb3), or only a piece of one: I could read it up to byte {byte}. Save "
+    "it again from Scratch.",
+    "Este archivo no es un proyecto de Scratch (.sb3), o solo un trozo: he podido leerlo hasta el byte "
+    "{byte}. Guárdalo otra vez desde Scratch."};
 inline constexpr Message no_targets{
     "no_targets", "This is no Scratch project: it has no list of sprites (targets).",
     "Esto no es un proyecto de Scratch: no tiene lista de objetos (targets)."};

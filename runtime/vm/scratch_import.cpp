@@ -43,6 +43,9 @@ Faults placeholders(const Program& program, const BlockCatalog& catalog) {
 
 ImportedProject import_scratch(std::string_view bytes, const BlockCatalog& catalog, const std::string& name) {
   ReadProgram read = read_program(bytes);
+  // What was opened is a file of Scratch's, not JSON that somebody wrote.
+  for (Fault& fault : read.faults)
+    if (fault.code() == mirada::messages::json_broken.code) fault = make_fault("", messages::archive_broken);
   if (!has_errors(read.faults) && !read.program.from_scratch) {
     return {{}, {make_fault("", messages::no_targets)}};
   }

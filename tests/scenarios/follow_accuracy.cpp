@@ -1,4 +1,5 @@
 // Follows a walker by chance in seed after seed and prints one JSON object: every run.
+#include <fstream>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
@@ -11,22 +12,24 @@ int main(int argc, char** argv) {
   CLI::App app{"Following somebody who walks, measured by the truth of the simulated room."};
   std::uint64_t first = 1, seeds = 20;
   double seconds = 60;
-  std::string only;
+  std::string only, trace_file;
   app.add_option("--first-seed", first)->capture_default_str();
   app.add_option("--seeds", seeds)->capture_default_str();
   app.add_option("--seconds", seconds)->capture_default_str();
   app.add_option("--walk", only, "Only this walk");
+  app.add_option("--trace", trace_file, "A CSV file of where they were, a line a tenth of a second");
   CLI11_PARSE(app, argc, argv);
   const std::pair<const char*, Walk> walks[] = {
       {"faces the robot", {0.35, true, false, false, false}},
       {"walks as people do", {0.3, false, false, false, false}},
       {"passes behind a pillar", {0.3, true, true, false, false}},
       {"learnt, among printed faces", {0.3, true, false, true, true}}};
+  std::ofstream trace(trace_file);
   nlohmann::json runs = nlohmann::json::array();
   for (const auto& [name, walk] : walks) {
     if (!only.empty() && only != name) continue;
     for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
-      const FollowRun run = run_follow(walk, seed, seconds);
+      const FollowRun run = run_follow(walk, seed, seconds, 6, trace_file.empty() ? nullptr : &trace);
       runs.push_back({{"walk", name},
                       {"seed", seed},
                       {"speed_mps", walk.speed_mps},

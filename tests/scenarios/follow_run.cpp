@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include "base/random.h"
 #include "rig/lockstep.h"
@@ -45,6 +46,15 @@ std::vector<Vector2d> way_by_chance(Vector2d at, double heading_rad, Random& ran
     out.push_back(at);
   }
   return out;
+}
+
+void trace_line(std::ostream& out, Micros t, const world::Truth& truth) {
+  const Pose2& person = truth.people[0];
+  const Vector2d to(person.x_m - truth.X_WR.x_m, person.y_m - truth.X_WR.y_m);
+  const double way_rad = std::atan2(to.y(), to.x());
+  out << mirada::seconds(t) << ',' << deg(wrap_rad(way_rad - truth.X_WR.heading_rad - truth.neck.pan_rad))
+      << ',' << to.norm() << ',' << deg(wrap_rad(way_rad + M_PI - person.heading_rad)) << ','
+      << deg(truth.neck.pan_rad) << ',' << deg(truth.X_WR.heading_rad) << '\n';
 }
 
 }  // namespace
@@ -95,7 +105,8 @@ world::WorldConfig follow_room(const Walk& walk, std::uint64_t seed) {
   return room;
 }
 
-FollowRun run_follow(const Walk& walk, std::uint64_t seed, double seconds, double settle_s) {
+FollowRun run_follow(const Walk& walk, std::uint64_t seed, double seconds, double settle_s,
+                     std::ostream* trace) {
   rig::LockstepOptions options;
   options.world = follow_room(walk, seed);
   options.robot = *robot_by_name("mirada-sim");
@@ -118,6 +129,7 @@ FollowRun run_follow(const Walk& walk, std::uint64_t seed, double seconds, doubl
   options.watch = [&](Micros t, const world::Truth& truth) {
     const Vector2d to(truth.people[0].x_m - truth.X_WR.x_m, truth.people[0].y_m - truth.X_WR.y_m);
     run.end_off_m = to.norm() - 1;
+    if (trace != nullptr && t % (100 * kMillisecond) == 0) trace_line(*trace, t, truth);
     if (t < micros(settle_s)) return;
     const bool seen = looks_at(truth, truth.people[0].x_m, truth.people[0].y_m);
     const bool near = to.norm() >= 0.8 && to.norm() <= 1.2;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <iosfwd>
 #include <string>
 
 #include "world/world_config.h"
@@ -33,7 +34,10 @@ struct FollowRun {
 
 /// The room: a walker who begins a metre before the robot and walks a way by chance.
 world::WorldConfig follow_room(const Walk& walk, std::uint64_t seed);
-/// The first `settle_s` seconds do not count.
-FollowRun run_follow(const Walk& walk, std::uint64_t seed, double seconds, double settle_s = 6);
+/// The first `settle_s` seconds do not count. `trace`: where a line a tenth of a second goes, as CSV, by the
+/// truth: t_s, bearing_deg (off the picture's middle, positive left), away_m, turned_deg (the person, off the
+/// robot), pan_deg, heading_deg; null: nowhere.
+FollowRun run_follow(const Walk& walk, std::uint64_t seed, double seconds, double settle_s = 6,
+                     std::ostream* trace = nullptr);
 
 }  // namespace mirada::scenarios

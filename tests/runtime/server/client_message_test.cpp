@@ -60,6 +60,17 @@ TEST(ClientMessage, every_fault_at_once) {
             (std::vector<std::string>{"/world text_needed", "/robot text_needed", "/seed number_needed"}));
 }
 
+TEST(ClientMessage, a_step_with_faces_says_what_it_lacks) {
+  EXPECT_EQ(places(read_client_message(R"({"type":"faces","action":"allow"})")),
+            std::vector<std::string>{"/on field_missing"});
+  const ReadMessage none = read_client_message(R"({"type":"faces"})");
+  EXPECT_EQ(places(none), (std::vector<std::string>{"/action choice_missing"}));
+  const std::string to(10'000, 'a');
+  EXPECT_EQ(
+      places(read_client_message(R"({"type":"faces","action":"rename","name":"Ana","to":")" + to + "\"}")),
+      std::vector<std::string>{"/to name_too_long"});
+}
+
 TEST(ClientMessage, what_is_no_message_is_told_so) {
   EXPECT_EQ(places(read_client_message("hello")), std::vector<std::string>{" message_broken"});
   EXPECT_EQ(places(read_client_message("{}")), std::vector<std::string>{"/type field_missing"});
@@ -68,7 +79,7 @@ TEST(ClientMessage, what_is_no_message_is_told_so) {
   EXPECT_EQ(places(read_client_message(R"({"type":"pause","on":tru})")),
             std::vector<std::string>{"/on json_broken"});
   EXPECT_EQ(places(read_client_message(R"({"type":"key","key":")" + std::string(5000, 'a') + "\"}")),
-            (std::vector<std::string>{"/key text_too_long", "/key field_missing"}));
+            std::vector<std::string>{"/key text_too_long"});
 }
 
 TEST(ClientMessage, a_program_over_the_limit_is_refused) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "fake_station.h"
+#include "server/api.h"
 
 namespace mirada::server {
 namespace {
@@ -21,6 +22,18 @@ HttpRequest request(std::string_view method, std::string_view target) {
 unsigned refused(const HttpRequest& request) {
   const auto reply = refuse(request, "127.0.0.1", "robot");
   return reply ? reply->status : 0;
+}
+
+TEST(Api, what_is_no_scratch_file_is_told_so) {
+  const std::string answer = open_scratch("no archive", {});
+  EXPECT_NE(answer.find("Scratch"), std::string::npos) << answer;
+}
+
+TEST(Api, nothing_at_all_is_no_program) {
+  for (const char* text : {"{}", " { } "}) {
+    const json answer = json::parse(check_program(text, {}));
+    EXPECT_NE(answer.dump().find("workspace_missing"), std::string::npos) << answer.dump();
+  }
 }
 
 TEST(HttpRouter, refuses_an_ambiguous_length_and_host) {
