@@ -17,6 +17,11 @@ Snapshot snapshot_of(const VisualMemory& memory) {
     const double sigma_m = std::sqrt(point.covariance(memory.drift()).trace() / 2);
     out.places.push_back({point.p_O_m, sigma_m, memory.now() - point.seen_at});
   }
+  for (const Thing& thing : memory.things().all()) {
+    const Eigen::Matrix2d now = thing.covariance + memory.drift().covariance(thing.seen, thing.p_O_m);
+    out.things.push_back(
+        {thing.kind, thing.id, thing.p_O_m, std::sqrt(now.trace() / 2), memory.now() - thing.seen_at});
+  }
   for (Segment& segment : segments_of(memory.points(), memory.drift(), memory.X_OR())) {
     if (segment.points > 1) out.segments.push_back(std::move(segment));
   }

@@ -17,6 +17,18 @@ std::string array_of(const List& list, Put&& put) {
   return out + "]";
 }
 
+std::string_view kind_name(ThingKind kind) {
+  switch (kind) {
+    case ThingKind::face:
+      return "face";
+    case ThingKind::tag:
+      return "tag";
+    case ThingKind::red_ball:
+      return "red_ball";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string memory_text(const memory::Snapshot& memory) {
@@ -33,6 +45,11 @@ std::string memory_text(const memory::Snapshot& memory) {
            fmt::format_to(std::back_inserter(text), "[{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.1f}]",
                           piece.from_O_m.x(), piece.from_O_m.y(), piece.to_O_m.x(), piece.to_O_m.y(),
                           piece.sigma_m, age_s(piece.seen_at));
+         });
+  out += R"(,"things":)" + array_of(memory.things, [](std::string& text, const auto& thing) {
+           fmt::format_to(std::back_inserter(text), R"(["{}",{},{:.3f},{:.3f},{:.3f},{:.1f}])",
+                          kind_name(thing.kind), thing.id, thing.p_O_m.x(), thing.p_O_m.y(), thing.sigma_m,
+                          seconds(thing.age));
          });
   out += R"(,"free":)" + array_of(memory.free_m, [](std::string& text, double free_m) {
            fmt::format_to(std::back_inserter(text), "{:.2f}", free_m);

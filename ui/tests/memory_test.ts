@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { attentionWords } from '../src/stage/memory';
-import { memoryView, onCanvas, strength } from '../src/stage/memory_draw';
+import { memoryView, onCanvas, strength, thingMark } from '../src/stage/memory_draw';
 import type { Memory } from '../src/wire/protocol';
 
 const robot = { x_m: 1, y_m: 2, heading_deg: 90, pan_deg: 0, hfov_deg: 62 };
@@ -11,6 +11,7 @@ const memory: Memory = {
     [1, 1, 0.02, 5],
   ],
   segments: [],
+  things: [],
   free: [],
   next: { watching: 'nothing', why: '', pan_deg: 0, moving: false },
 };
@@ -25,6 +26,11 @@ describe('the memory from above', () => {
     const left = onCanvas(view, robot, [0, 2]);
     expect(left[0]).toBeCloseTo(160);
     expect(left[1]).toBeCloseTo(260);
+  });
+
+  it('marks things by what they are, tags by their number', () => {
+    expect(thingMark('tag', 7)).toContain('7');
+    expect(thingMark('face', 0)).not.toBe(thingMark('red_ball', 0));
   });
 
   it('fades with age, and never quite away', () => {

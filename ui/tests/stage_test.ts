@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { angleOfPoint, wrapAngle } from '../src/blocks/dial';
 import { MotionTrack, mixAngle } from '../src/stage/motion_track';
-import { boundaryPieces, nearest, nearestPoint } from '../src/stage/overlays';
+import { boundaryPieces, freeTop, nearest, nearestPoint } from '../src/stage/overlays';
 import { sonarPoints } from '../src/stage/room_draw';
 import { fitRoom } from '../src/stage/room_view';
 import { waitBefore } from '../src/wire/connection';
@@ -108,5 +108,16 @@ describe('the wire', () => {
     const waits = [0, 1, 2, 3, 10].map((n) => waitBefore(n, 0.5));
     expect(waits).toEqual([300, 600, 1200, 2400, 5000]);
     expect(waitBefore(0, 0)).toBeLessThan(waitBefore(0, 1));
+  });
+});
+
+describe('labels on the picture', () => {
+  it('stand where they are wanted, unless another one is there', () => {
+    const there = [{ left: 50, top: 40, width: 60 }];
+    expect(freeTop([], { left: 40, top: 40, width: 50 }, 200)).toBe(40);
+    expect(freeTop(there, { left: 120, top: 40, width: 50 }, 200)).toBe(40);
+    expect(freeTop(there, { left: 40, top: 40, width: 50 }, 200)).toBe(16);
+    expect(freeTop(there, { left: 40, top: 30, width: 50 }, 200)).toBe(16);
+    expect(freeTop([{ left: 50, top: 10, width: 60 }], { left: 40, top: 10, width: 50 }, 200)).toBe(34);
   });
 });

@@ -40,6 +40,7 @@ session::Telemetry rich() {
   memory.X_OR = {1, 2, 0};
   memory.places = {{{0.5, 0.25}, 0.02, 1500 * kMillisecond}};
   memory.segments = {{{0, 0}, {1, 0}, 0.03, 0, 5}};
+  memory.things = {{ThingKind::tag, 7, {1, -0.5}, 0.1, 4 * kSecond}};
   memory.free_m = {1.5, 0};
   t.memory = std::make_shared<const memory::Snapshot>(memory);
   return t;
@@ -66,6 +67,7 @@ TEST(TelemetryText, says_all_that_the_protocol_names) {
   EXPECT_EQ(out["scene"]["path_m"], 1);
   EXPECT_EQ(out["memory"]["places"][0], (json{0.5, 0.25, 0.02, 1.5}));
   EXPECT_EQ(out["memory"]["segments"][0], (json{0.0, 0.0, 1.0, 0.0, 0.03, 0.0}));
+  EXPECT_EQ(out["memory"]["things"][0], (json{"tag", 7, 1.0, -0.5, 0.1, 4.0}));
   EXPECT_EQ(out["memory"]["free"], (json{1.5, 0.0}));
   EXPECT_EQ(out["memory"]["next"]["watching"], "nothing");
 }

@@ -116,6 +116,34 @@ function drawPlaces(pen: Pen, view: MemoryView, memory: Memory, colour: string):
   }
 }
 
+const marks = { face: '🙂', tag: '▣', red_ball: '●' } as const;
+
+/** What is written at a remembered thing. */
+export function thingMark(kind: keyof typeof marks, id: number): string {
+  return kind === 'tag' ? `${marks.tag} ${id}` : marks[kind];
+}
+
+function drawThings(pen: Pen, view: MemoryView, memory: Memory): void {
+  pen.textAlign = 'center';
+  pen.textBaseline = 'middle';
+  for (const [kind, id, x_m, y_m, sigma_m, age_s] of memory.things) {
+    const [x, y] = onCanvas(view, memory.robot, [x_m, y_m]);
+    pen.beginPath();
+    pen.arc(x, y, Math.min(30, Math.max(11, sigma_m * view.scale)), 0, 2 * Math.PI);
+    pen.fillStyle = `rgba(255, 255, 255, ${0.85 * strength(age_s)})`;
+    pen.fill();
+    pen.lineWidth = 1.5;
+    pen.strokeStyle = `rgba(31, 42, 68, ${strength(age_s)})`;
+    pen.stroke();
+    pen.fillStyle =
+      kind === 'red_ball' ? `rgba(214, 40, 40, ${strength(age_s)})` : `rgba(31, 42, 68, ${strength(age_s)})`;
+    pen.font = kind === 'tag' ? '11px sans-serif' : '15px sans-serif';
+    pen.fillText(thingMark(kind, id), x, y);
+  }
+  pen.textAlign = 'start';
+  pen.textBaseline = 'alphabetic';
+}
+
 function drawRobot(pen: Pen, view: MemoryView, robot: Memory['robot']): void {
   const [x, y] = view.middle;
   const r = Math.max(5, 0.09 * view.scale);
@@ -135,6 +163,7 @@ export function drawMemory(pen: Pen, view: MemoryView, memory: Memory, colour: s
   drawRings(pen, view);
   drawCone(pen, view, memory.robot, '#e6a000');
   drawPlaces(pen, view, memory, colour);
+  drawThings(pen, view, memory);
   drawNext(pen, view, memory, colour);
   drawRobot(pen, view, memory.robot);
 }

@@ -59,15 +59,42 @@ export function drawBoundary(pen: Pen, sonar: Sonar, scale: number, colour: stri
   pen.setLineDash([]);
 }
 
-/** A small label in the colour, kept inside the picture. */
+interface Place {
+  left: number;
+  top: number;
+  width: number;
+}
+
+const labelHeight = 24;
+const labels = new WeakMap<Pen, Place[]>();
+
+/** A new picture: it has no labels yet. */
+export function beginLabels(pen: Pen): void {
+  labels.set(pen, []);
+}
+
+/** The nearest height, upwards before downwards, at which a label covers none of those that are there. */
+export function freeTop(taken: readonly Place[], { left, top, width }: Place, lowest: number): number {
+  const covers = (at: number) =>
+    taken.some((o) => Math.abs(o.top - at) < labelHeight && o.left < left + width && left < o.left + o.width);
+  for (let off = 0; off <= lowest; off += 2) {
+    for (const at of [top - off, top + off]) if (at >= 6 && at <= lowest && !covers(at)) return at;
+  }
+  return top;
+}
+
+/** A small label in the colour, kept inside the picture and off the other labels. */
 export function drawLabel(pen: Pen, text: string, x: number, y: number, colour: string): void {
   pen.font = '800 13px "Nunito Variable", sans-serif';
   const width = pen.measureText(text).width + 16;
   const { width: w, height: h } = pen.canvas.getBoundingClientRect();
   const left = Math.max(6, Math.min(x - width / 2, w - width - 6));
-  const top = Math.max(6, Math.min(y - 34, h - 30));
+  const wanted = { left, top: Math.max(6, Math.min(y - 34, h - 30)), width };
+  const taken = labels.get(pen) ?? [];
+  const top = freeTop(taken, wanted, h - 30);
+  taken.push({ left, top, width });
   pen.beginPath();
-  pen.roundRect(left, top, width, 24, 12);
+  pen.roundRect(left, top, width, labelHeight, 12);
   pen.fillStyle = colour;
   pen.fill();
   pen.fillStyle = '#1f2a44';

@@ -7,7 +7,7 @@ import { knownFaces } from '../state/known_faces';
 import { panels, togglePanel } from '../state/panels';
 import { picture, telemetry } from '../state/robot';
 import { drawFaces } from './faces_draw';
-import { drawBoundary, drawLabel, nearest, nearestPoint } from './overlays';
+import { beginLabels, drawBoundary, drawLabel, nearest, nearestPoint } from './overlays';
 import { sharpPen } from './sharp_canvas';
 
 function hueOf(percept: string): string {
@@ -21,6 +21,7 @@ function draw(canvas: HTMLCanvasElement): void {
   if (!ready || !shown) return;
   const { pen, w } = ready;
   const scale = w / shown.header.width;
+  beginLabels(pen);
   pen.drawImage(shown.bitmap, 0, 0, w, shown.header.height * scale);
   canvas.dataset.frame = String(shown.header.frame);
   // What was seen before the camera fell silent says nothing about now.

@@ -123,6 +123,14 @@ export interface Memory {
   robot: { x_m: number; y_m: number; heading_deg: number; pan_deg: number; hfov_deg: number };
   places: [x_m: number, y_m: number, sigma_m: number, age_s: number][];
   segments: [x1_m: number, y1_m: number, x2_m: number, y2_m: number, sigma_m: number, age_s: number][];
+  things: [
+    kind: 'face' | 'tag' | 'red_ball',
+    id: number,
+    x_m: number,
+    y_m: number,
+    sigma_m: number,
+    age_s: number,
+  ][];
   /** How far floor is known free, all round from ahead to the left. */
   free: number[];
   next: { watching: string; why: string; pan_deg: number; moving: boolean };
