@@ -288,16 +288,12 @@ WheelSpeeds Follower::wheels(const Sight& sight, double bearing_rad, double away
   constexpr double kKeepGain_per_s = 1.4;
   constexpr double kBackMost_mps = 0.35;
   constexpr double kSlack_m = 0.02;
-  constexpr double kWalksAway_mps = 0.15;
-  constexpr double kAhead_m = 0.06;
   const Vector2d away(std::cos(sight.X_OR.heading_rad + bearing_rad),
                       std::sin(sight.X_OR.heading_rad + bearing_rad));
-  double off_m = away_m - keep_m_;
+  const double off_m = away_m - keep_m_;
   // What they were doing when they were last seen.
   const double theirs =
       target_ ? target_->v_O_mps.dot(away) * std::exp(-seconds(sight.now - target_->t) / kWalkFades_s) : 0;
-  // Who walks away may be as fast as the wheels, and then no ground that is lost comes back.
-  if (theirs > kWalksAway_mps) off_m += kAhead_m;
   double forward = theirs + kKeepGain_per_s * (std::abs(off_m) > kSlack_m ? off_m : 0);
   wants_to_drive_ = std::abs(forward) > 0.03;
   const double way_rad =

@@ -25,8 +25,8 @@ constexpr double kTrunkVisible = 0.45;
 constexpr double kTrunkRange = 0.8;  // less of it tells nothing of the distance
 constexpr double kEverywhere = 0.9;  // of the picture: that is no body
 constexpr double kLikeAround = 0.3;  // beside it: more of that, and its edges are anywhere
-constexpr double kLeastJump = 0.8;   // of the distance, from look to look
-constexpr double kMostJump = 1.3;
+constexpr double kLeastJump = 0.7;   // of the distance, from look to look
+constexpr double kMostJump = 1.5;
 constexpr int kTrunkSide_px = 4;
 constexpr float kFew = 1e-4F;
 

@@ -15,13 +15,11 @@ using Eigen::Vector3d;
 constexpr Micros kForgetAfter = 4 * kSecond;
 constexpr Micros kForgetNewAfter = 250 * kMillisecond;  // seen once only
 constexpr int kSureLooks = 2;
-constexpr double kPush_mps2 = 1.0;      // how hard people start, stop and turn, one sigma
+constexpr double kPush_mps2 = 1.2;      // how hard people start, stop and turn, one sigma
 constexpr double kBearing_rad = 0.012;  // how far a box's middle may be off
 constexpr double kRangeShare = 0.05;
-constexpr double kOldRange = 3;    // times as unsure, of a box that was only moved along
-constexpr double kMostSigmas = 5;  // a look that is farther off counts less
 constexpr double kBodyBearing_rad = 0.03;
-constexpr double kBodyRangeShare = 0.22;  // looks that follow each other err alike
+constexpr double kBodyRangeShare = 0.12;
 constexpr double kNoRange_m = 3;
 constexpr double kStartSpeed_mps = 0.3;
 constexpr double kUnsureSpeedFades = 0.85;
@@ -110,12 +108,9 @@ void FaceTracker::observe(Track& track, const Vector2d& p_O, const Vector2d& awa
   const Vector2d side(-away.y(), away.x());
   const Eigen::Matrix2d noise =
       along_m * along_m * away * away.transpose() + across_m * across_m * side * side.transpose();
-  const Vector2d off = p_O - track.state.head<2>();
-  Eigen::Matrix2d sum = track.cov.topLeftCorner<2, 2>() + noise;
-  const double sigmas = std::sqrt(std::max(0.0, off.dot(sum.inverse() * off)));
-  if (sigmas > kMostSigmas) sum += (sigmas / kMostSigmas - 1) * sum;
+  const Eigen::Matrix2d sum = track.cov.topLeftCorner<2, 2>() + noise;
   const Eigen::Matrix<double, 4, 2> gain = track.cov.leftCols<2>() * sum.inverse();
-  track.state += gain * off;
+  track.state += gain * (p_O - track.state.head<2>());
   track.cov -= (gain * track.cov.topRows<2>()).eval();
   const double speed = track.state.tail<2>().norm();
   if (speed > kFastest_mps) track.state.tail<2>() *= kFastest_mps / speed;
@@ -131,20 +126,19 @@ FacePercept FaceTracker::made_whole(const FacePercept& face, const Track& track,
   return place_face({{face.x_px, top_px, face.w_px, height_px}, face.score}, view.camera, view.X_RC);
 }
 
-void FaceTracker::correct(Track& track, const FacePercept& seen, const View& view, bool looked) const {
+void FaceTracker::correct(Track& track, const FacePercept& seen, const View& view) const {
   const FacePercept face = made_whole(seen, track, view);
   const Vector3d p_O = to_O(face_point_R(face, view.X_RC), view.X_OR);
   const Vector2d away = Vector2d(p_O.x() - view.X_OR.x_m, p_O.y() - view.X_OR.y_m).normalized();
   const double edge = std::hypot(kRangeShare, 0.8 / size_px(face)) * face.distance_m;
   const double across = kBearing_rad * face.distance_m;
-  observe(track, p_O.head<2>(), away, looked ? edge : kOldRange * edge, across);
-  track.score = seen.score;
-  track.last_seen = track.t;
-  if (!looked) return;
+  observe(track, p_O.head<2>(), away, edge, across);
   track.height_m += 0.3 * (p_O.z() - track.height_m);
   const double apart = cross_range(face_point_R(face, view.X_RC) - view.X_RC.translation());
   track.size_px_m += 0.3 * (size_px(face) * apart - track.size_px_m);
   track.shape += 0.3 * (face.h_px / face.w_px - track.shape);
+  track.score = seen.score;
+  track.last_seen = track.t;
   ++track.looks;
 }
 
@@ -221,85 +215,68 @@ bool FaceTracker::lost_one() const {
   });
 }
 
-/// How likely each track is each face: those pairs that can be, the likeliest first.
-std::vector<FaceTracker::Pair> FaceTracker::pairs(const FacesPercept& seen, const View& view) const {
-  std::vector<Pair> out;
+void FaceTracker::follow(FacesPercept& seen, const NeckAngles& neck, const Pose2& X_OR) {
+  const View here = view(seen, neck, X_OR);
+  struct Pair {
+    double cost;
+    std::size_t track, face;
+  };
+  std::vector<Pair> pairs;
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    predict(tracks_[i], seen.t_exposure);
     const Track& track = tracks_[i];
-    const Vector3d p_R = to_R({track.state[0], track.state[1], track.height_m}, view.X_OR);
-    const Vector3d from_lens = p_R - view.X_RC.translation();
-    const double apart_m = cross_range(from_lens);
-    const double lost_s = std::min(seconds(seen.t_exposure - track.last_seen), 2.0);
-    const double gate = kGate_rad + (kFaceSize_m + kGateSpeed_mps * lost_s) / apart_m;
+    const Vector3d p_R = to_R({track.state[0], track.state[1], track.height_m}, X_OR);
+    const Vector3d from_lens = p_R - here.X_RC.translation();
+    const double lost_s = seconds(seen.t_exposure - track.last_seen);
     for (std::size_t j = 0; j < seen.faces.size(); ++j) {
-      const Vector3d other = face_point_R(seen.faces[j], view.X_RC) - view.X_RC.translation();
+      const Vector3d other = face_point_R(seen.faces[j], here.X_RC) - here.X_RC.translation();
       const double angle = std::acos(std::clamp(from_lens.normalized().dot(other.normalized()), -1.0, 1.0));
-      const double ratio = std::abs(std::log(apart_m / cross_range(other))) / std::log(kMostSizeRatio);
-      if (angle < gate && ratio < 1) out.push_back({angle / gate + ratio, i, j});
+      const double gate = kGate_rad + kFaceSize_m / cross_range(from_lens) +
+                          kGateSpeed_mps * std::min(lost_s, 2.0) / cross_range(from_lens);
+      const double ratio = std::abs(std::log(cross_range(from_lens) / cross_range(other)));
+      const double cost = angle / gate + ratio / std::log(kMostSizeRatio);
+      if (angle < gate && ratio < std::log(kMostSizeRatio)) pairs.push_back({cost, i, j});
     }
   }
-  std::sort(out.begin(), out.end(), [](const Pair& a, const Pair& b) {
+  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
     return std::tuple(a.cost, a.track, a.face) < std::tuple(b.cost, b.track, b.face);
   });
-  return out;
-}
-
-/// Each face to one track at most; which faces found theirs.
-std::vector<bool> FaceTracker::give_numbers(FacesPercept& seen, const View& view, bool looked) {
   std::vector<bool> track_done(tracks_.size()), face_done(seen.faces.size());
-  for (const auto& [cost, i, j] : pairs(seen, view)) {
+  for (const auto& [cost, i, j] : pairs) {
     if (track_done[i] || face_done[j]) continue;
     track_done[i] = face_done[j] = true;
     FacePercept& face = seen.faces[j];
-    correct(tracks_[i], face, view, looked);
-    const auto steady = as_seen(tracks_[i], view);
-    if (!steady) continue;
-    face.id = steady->id;
-    face.distance_m = steady->distance_m;
-    face.sigma_m = steady->sigma_m;
-    face.p_O_m = steady->p_O_m;
-    face.v_O_mps = steady->v_O_mps;
+    correct(tracks_[i], face, here);
+    if (const auto steady = as_seen(tracks_[i], here)) {
+      face.id = steady->id;
+      face.distance_m = steady->distance_m;
+      face.sigma_m = steady->sigma_m;
+      face.p_O_m = steady->p_O_m;
+      face.v_O_mps = steady->v_O_mps;
+    }
   }
-  return face_done;
-}
-
-void FaceTracker::meet_the_others(FacesPercept& seen, const View& view, const std::vector<bool>& known) {
-  for (std::size_t j = 0; j < known.size(); ++j) {
-    if (known[j]) continue;
-    tracks_.push_back(begin(seen.faces[j], view, seen.t_exposure));
+  for (std::size_t j = 0; j < face_done.size(); ++j) {
+    if (face_done[j]) continue;
+    tracks_.push_back(begin(seen.faces[j], here, seen.t_exposure));
     seen.faces[j].id = tracks_.back().id;
     seen.faces[j].p_O_m = tracks_.back().state.head<2>();
   }
-}
-
-void FaceTracker::forget_the_gone(Micros t) {
   std::erase_if(tracks_, [&](const Track& track) {
-    const Micros unseen = t - std::max(track.last_seen, track.last_body);
+    const Micros unseen = seen.t_exposure - std::max(track.last_seen, track.last_body);
     return unseen > (track.looks < kSureLooks ? kForgetNewAfter : kForgetAfter);
   });
-}
-
-/// What left the picture is not seen any more, and not added.
-void FaceTracker::add_predicted(FacesPercept& seen, const View& view) const {
   for (const Track& track : tracks_) {
     const Micros unseen = seen.t_exposure - track.last_seen;
     if (unseen == 0 || unseen > kHold || track.looks < kSureLooks) continue;
-    auto face = as_seen(track, view);
+    auto face = as_seen(track, here);
     if (!face) continue;
     const double x = face->x_px + face->w_px / 2;
     const double y = face->y_px + face->h_px / 2;
     face->predicted = true;
+    // What left the picture is not seen any more.
     if (x > 0 && y > 0 && x < seen.picture_width_px && y < seen.picture_height_px)
       seen.faces.push_back(*face);
   }
-}
-
-void FaceTracker::follow(FacesPercept& seen, const NeckAngles& neck, const Pose2& X_OR, bool looked) {
-  const View here = view(seen, neck, X_OR);
-  for (Track& track : tracks_) predict(track, seen.t_exposure);
-  meet_the_others(seen, here, give_numbers(seen, here, looked));
-  forget_the_gone(seen.t_exposure);
-  add_predicted(seen, here);
 }
 
 }  // namespace mirada::vision

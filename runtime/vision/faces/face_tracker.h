@@ -24,9 +24,8 @@ class FaceTracker {
 
   /// Numbers the faces of a picture and steadies their distance; adds, as
   /// `predicted`, those that were there a moment ago. `looked`: the whole
-  /// picture was searched; else the boxes were only moved along and their size is an old one, which tells
-  /// little of the distance.
-  void follow(FacesPercept& seen, const NeckAngles& neck, const Pose2& X_OR, bool looked = true);
+  /// picture was searched, so that a face that is not there has gone.
+  void follow(FacesPercept& seen, const NeckAngles& neck, const Pose2& X_OR);
 
   /// Somebody seen by what they wear, whose face is not seen: their bearing
   /// and, when > 0, distance.
@@ -69,23 +68,13 @@ class FaceTracker {
     Pose2 X_OR;
   };
 
-  struct Pair {
-    double cost;
-    std::size_t track, face;
-  };
-
-  std::vector<Pair> pairs(const FacesPercept& seen, const View& view) const;
-  std::vector<bool> give_numbers(FacesPercept& seen, const View& view, bool looked);
-  void meet_the_others(FacesPercept& seen, const View& view, const std::vector<bool>& known);
-  void forget_the_gone(Micros t);
-  void add_predicted(FacesPercept& seen, const View& view) const;
   View view(const FacesPercept& picture, const NeckAngles& neck, const Pose2& X_OR) const;
   static void predict(Track& track, Micros t);
   static std::optional<FacePercept> as_seen(const Track& track, const View& view);
   static void observe(Track& track, const Eigen::Vector2d& p_O, const Eigen::Vector2d& away, double along_m,
                       double across_m);
   static FacePercept made_whole(const FacePercept& face, const Track& track, const View& view);
-  void correct(Track& track, const FacePercept& seen, const View& view, bool looked) const;
+  void correct(Track& track, const FacePercept& seen, const View& view) const;
   Track begin(const FacePercept& face, const View& view, Micros t);
 
   RobotConfig robot_;
