@@ -1,7 +1,6 @@
 #include "robot/follower.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace mirada::robot {
@@ -20,24 +19,20 @@ constexpr double kNeckDeadband_rad = rad(1.2);
 constexpr double kTurnFrom_rad = rad(22);  // following the face only: the neck does the rest
 constexpr double kTurnTo_rad = rad(6);
 constexpr double kFollowTurn_per_s = 2.6;
-constexpr double kSearchAside_rad = rad(40);
-constexpr double kSearchHigher_rad = rad(12);       // faces nearer by than expected are higher
-constexpr Micros kSearchHold = 600 * kMillisecond;  // a face is found in a picture that is still
+constexpr double kSearchSweep_rad = rad(40);
+constexpr double kSearchPeriod_s = 2.4;
 constexpr double kSearchTurn_radps = 0.6;
 constexpr double kSamePerson_m = 0.7;  // a new number this near to where they should be is still them
 constexpr double kReachGrows_mps = 0.4;
 constexpr double kCrumb_m = 0.12;
 constexpr std::size_t kMostCrumbs = 80;
-constexpr double kWalked_m = 0.3;  // floor, this near to where they walked
-constexpr double kPerson_m = 0.3;  // an obstacle this near to where they were then was they
+constexpr double kWalked_m = 0.3;   // floor, this near to where they walked
+constexpr double kPerson_m = 0.24;  // an obstacle this near to where they were then was they
 constexpr Micros kPersonTime = 1'200 * kMillisecond;
 constexpr Micros kFirstLook = 800 * kMillisecond;
 // Heads differ in size by so much: beyond it the feet are the ones in doubt.
 constexpr double kFaceScaleLeast = 0.9;
 constexpr double kFaceScaleMost = 1.12;
-// The width of clothes is less sure, but learnt of the same person.
-constexpr double kBodyScaleLeast = 0.85;
-constexpr double kBodyScaleMost = 1.18;
 
 double reach_of_body(const RobotConfig& robot) {
   double reach_m = 0;
@@ -82,7 +77,7 @@ MotionTicket Follower::begin(Mode mode, double distance_m, MotionOwner owner) {
   ticket_ = motion_->steered(std::move(owner));
   target_.reset();
   crumbs_.clear();
-  own_way_.clear();
+  own_way_O_m_.clear();
   range_scale_ = 1;
   state_ = FollowState::searching;
   glance_since_ = glance_settled_ = glanced_at_ = begun_at_ = 0;
@@ -180,10 +175,8 @@ void Follower::step(const Sight& sight, const memory::VisualMemory& memory) {
   if (watch_->keeping() != memory::Watching::nothing || watch_->looking_around()) return stop();
   if (begun_at_ == 0) begun_at_ = sight.now;
   const Vector2d here(sight.X_OR.x_m, sight.X_OR.y_m);
-  if (own_way_.empty() || (own_way_.back().p_O_m - here).norm() > kCrumb_m)
-    own_way_.push_back({here, sight.now, sight.now});
-  own_way_.back().until = sight.now;
-  if (own_way_.size() > kMostCrumbs) own_way_.pop_front();
+  if (own_way_O_m_.empty() || (own_way_O_m_.back() - here).norm() > kCrumb_m) own_way_O_m_.push_back(here);
+  if (own_way_O_m_.size() > kMostCrumbs) own_way_O_m_.pop_front();
   look_for_target(sight);
   state_ = state_at(sight.now);
   double bearing_rad = 0;
@@ -192,8 +185,8 @@ void Follower::step(const Sight& sight, const memory::VisualMemory& memory) {
     const Vector2d p = place_at(sight.now + micros(kLead_s));
     const Vector2d to(p.x() - sight.X_OR.x_m, p.y() - sight.X_OR.y_m);
     bearing_rad = wrap_rad(std::atan2(to.y(), to.x()) - sight.X_OR.heading_rad);
-    away_m = to.norm() * (target_->by_face ? std::clamp(range_scale_, kFaceScaleLeast, kFaceScaleMost)
-                                           : std::clamp(range_scale_, kBodyScaleLeast, kBodyScaleMost));
+    away_m = (target_->by_face ? std::clamp(range_scale_, kFaceScaleLeast, kFaceScaleMost) : range_scale_) *
+             to.norm();
     if (state_ != FollowState::searching && std::abs(bearing_rad) > rad(3))
       search_side_ = bearing_rad > 0 ? 1 : -1;
   }
@@ -233,9 +226,8 @@ bool Follower::glance(const Sight& sight, const memory::VisualMemory& memory) {
 void Follower::measure_range(const Sight& sight, const memory::VisualMemory& memory) {
   constexpr double kBeside_rad = rad(14);
   constexpr double kFeet_m = 0.12;  // from where they are seen to the person's middle
-  // What stands farther off from where they should be is something else.
-  constexpr double kFarthest = 1.35, kNearest = 0.7;
-  constexpr double kTrust = 0.4;
+  constexpr double kFarthest = 1.35, kNearest = 0.4;
+  constexpr double kTrust = 0.6;
   if (!target_) return;
   const Vector2d here(sight.X_OR.x_m, sight.X_OR.y_m);
   const Vector2d to = place_at(glance_settled_) - here;
@@ -255,17 +247,14 @@ void Follower::move_neck(const Sight& sight, double bearing_rad, double away_m,
   if (!gaze_->can_pan() && !gaze_->can_tilt()) return;
   if (glance(sight, memory)) return;
   double pan = bearing_rad;
-  const Micros lost_at = target_ ? target_->t + kPredictFor : begun_at_;
-  const Micros look = std::max<Micros>(0, sight.now - lost_at) / kSearchHold;
   if (state_ == FollowState::searching)
-    pan += kSearchAside_rad * search_side_ * std::array{0, 1, 0, -1}[static_cast<std::size_t>(look) % 4];
+    pan += kSearchSweep_rad * std::sin(2 * M_PI * seconds(sight.now) / kSearchPeriod_s);
   if (state_ == FollowState::gone) pan = 0;
   const NeckAngles now = gaze_->state(sight.now).angles;
   if (std::abs(pan - now.pan_rad) > kNeckDeadband_rad) gaze_->pan_to(pan);
   if (!gaze_->can_tilt()) return;
   const double up = target_ ? std::atan2(target_->height_m, std::max(away_m, 0.3)) : rad(20);
-  const bool higher = state_ == FollowState::searching && look % 8 >= 4;
-  const double tilt = -(up - kFaceAbove_rad + (higher ? kSearchHigher_rad : 0)) - robot_.mount.tilt_rad;
+  const double tilt = -(up - kFaceAbove_rad) - robot_.mount.tilt_rad;
   if (std::abs(tilt - now.tilt_rad) > kNeckDeadband_rad) gaze_->tilt_to(tilt);
 }
 
@@ -296,8 +285,7 @@ WheelSpeeds Follower::wheels(const Sight& sight, double bearing_rad, double away
       target_ ? target_->v_O_mps.dot(away) * std::exp(-seconds(sight.now - target_->t) / kWalkFades_s) : 0;
   double forward = theirs + kKeepGain_per_s * (std::abs(off_m) > kSlack_m ? off_m : 0);
   wants_to_drive_ = std::abs(forward) > 0.03;
-  const double way_rad =
-      forward > 0 ? way_to(memory, bearing_rad, away_m) : way_back(memory, bearing_rad, away_m);
+  const double way_rad = forward > 0 ? way_to(memory, bearing_rad, away_m) : bearing_rad;
   const double turn = std::clamp(kFollowTurn_per_s * way_rad, -turn_limit, turn_limit);
   forward *= std::max(0.0, std::cos(way_rad));
   const double ahead_m =
@@ -314,8 +302,8 @@ WheelSpeeds Follower::wheels(const Sight& sight, double bearing_rad, double away
 }
 
 bool Follower::walked_on(const Vector2d& p_O_m) const {
-  for (const Crumb& mine : own_way_)
-    if ((mine.p_O_m - p_O_m).squaredNorm() < kWalked_m * kWalked_m) return true;
+  for (const Vector2d& mine : own_way_O_m_)
+    if ((mine - p_O_m).squaredNorm() < kWalked_m * kWalked_m) return true;
   return std::any_of(crumbs_.begin(), crumbs_.end(), [&](const Crumb& crumb) {
     return (crumb.p_O_m - p_O_m).squaredNorm() < kWalked_m * kWalked_m;
   });
@@ -326,13 +314,6 @@ bool Follower::was_the_person(const memory::ObstaclePoint& point) const {
   return std::any_of(crumbs_.begin(), crumbs_.end(), [&](const Crumb& crumb) {
     return (crumb.p_O_m - point.p_O_m).squaredNorm() < kPerson_m * kPerson_m &&
            point.seen_at > crumb.since - kPersonTime && point.seen_at < crumb.until + kPersonTime;
-  });
-}
-
-/// Whether the robot itself has stood there since that was seen: then it is not there any more.
-bool Follower::stood_on(const memory::ObstaclePoint& point) const {
-  return std::any_of(own_way_.begin(), own_way_.end(), [&](const Crumb& mine) {
-    return point.seen_at < mine.until && (mine.p_O_m - point.p_O_m).squaredNorm() < radius_m_ * radius_m_;
   });
 }
 
@@ -354,7 +335,7 @@ double Follower::room_m(const memory::VisualMemory& memory, double bearing_rad) 
     const double ahead = to.dot(along);
     const double off = to.dot(side);
     if (ahead <= 0 || ahead > room_m + radius_m_ || std::abs(off) >= radius_m_) continue;
-    if (was_the_person(point) || stood_on(point)) continue;
+    if (was_the_person(point)) continue;
     room_m = std::min(room_m, std::max(0.0, ahead - std::sqrt(radius_m_ * radius_m_ - off * off)));
   }
   double seen_m = 1.4 * radius_m_;
@@ -376,19 +357,6 @@ double Follower::room_m(const memory::VisualMemory& memory, double bearing_rad) 
       room_m = std::min(room_m, std::max(0.0, ahead - std::sqrt(reach * reach - off * off)));
   }
   return room_m;
-}
-
-/// Facing them, or turned so that it backs off where there is room; the neck keeps looking at them.
-double Follower::way_back(const memory::VisualMemory& memory, double bearing_rad, double away_m) const {
-  constexpr double kTooNear_m = 0.1, kNeed_m = 0.3, kMostAside_rad = rad(60);
-  if (away_m > keep_m_ - kTooNear_m) return bearing_rad;
-  for (double aside = 0; aside <= kMostAside_rad; aside += rad(12)) {
-    for (const double side : {search_side_, -search_side_}) {
-      const double way = wrap_rad(bearing_rad - side * aside);
-      if (room_m(memory, wrap_rad(way + M_PI)) >= kNeed_m) return way;
-    }
-  }
-  return bearing_rad;
 }
 
 /// Straight to them where there is room, else round what is in between.

@@ -61,7 +61,7 @@ class Follower {
     std::string name;  ///< "" = not known
   };
 
-  /// Where the person walked or the robot drove, and from when to when they were there.
+  /// Where the person walked, and from when to when they were there.
   struct Crumb {
     Eigen::Vector2d p_O_m;
     Micros since = 0, until = 0;
@@ -82,8 +82,6 @@ class Follower {
   void measure_range(const Sight& sight, const memory::VisualMemory& memory);
   bool walked_on(const Eigen::Vector2d& p_O_m) const;
   bool was_the_person(const memory::ObstaclePoint& point) const;
-  bool stood_on(const memory::ObstaclePoint& point) const;
-  double way_back(const memory::VisualMemory& memory, double bearing_rad, double away_m) const;
   double way_to(const memory::VisualMemory& memory, double bearing_rad, double away_m) const;
 
   Motion* motion_;
@@ -98,8 +96,8 @@ class Follower {
   MotionTicket ticket_ = 0;
   FollowState state_ = FollowState::idle;
   std::optional<Target> target_;
-  std::deque<Crumb> own_way_;  ///< where the robot itself has been
-  double range_scale_ = 1;     ///< what their feet say of the distance by face or clothes
+  std::deque<Eigen::Vector2d> own_way_O_m_;  ///< where the robot itself has been
+  double range_scale_ = 1;                   ///< what their feet say of the distance by face or clothes
   std::deque<Crumb> crumbs_;
   std::uint64_t seen_frame_ = 0;
   Micros begun_at_ = 0;  ///< 0: not looked yet
