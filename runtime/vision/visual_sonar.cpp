@@ -18,7 +18,7 @@ namespace mirada::vision {
 namespace {
 
 /// Fitted to the errors in rooms made by chance: a foot is round, dirty or in its own shade.
-constexpr double kSigmaFit = 2.3;
+constexpr double kSigmaFit = 2;
 constexpr double kFootSigma_m = 0.004;
 
 bool same_aspect(const cv::Mat& bgr, const CameraModel& camera) {
