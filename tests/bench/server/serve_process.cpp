@@ -39,9 +39,14 @@ ServeProcess::ServeProcess(const std::string& program) {
   out_ = ends[0];
   std::string line;
   char c = 0;
-  while (::read(out_, &c, 1) == 1 && c != '\n') line += c;
+  // Before its address it may print a code.
+  while (port_ == 0 && ::read(out_, &c, 1) == 1) {
+    line += c;
+    if (c != '\n') continue;
+    if (line.find("http://") != std::string::npos) port_ = port_in(line);
+    line.clear();
+  }
   start_s_ = now_s() - began_s;
-  port_ = port_in(line);
 }
 
 ServeProcess::~ServeProcess() {
