@@ -78,9 +78,7 @@ class ThingFinder {
 
 robot::Detectors make_detectors(const RobotConfig& robot, const std::string& face_model,
                                 std::shared_ptr<vision::FaceBook> book) {
-  vision::SonarSettings settings;
-  settings.lines_are_obstacles = robot.lines_are_obstacles;
-  const auto sonar = std::make_shared<vision::VisualSonar>(robot, settings);
+  const auto sonar = std::make_shared<vision::VisualSonar>(robot);
   const auto faces = std::make_shared<LazyFaceWatch>(robot, face_model, book);
   const auto things = std::make_shared<ThingFinder>(robot);
   robot::Detectors out;

@@ -30,7 +30,9 @@ bool same_aspect(const cv::Mat& bgr, const CameraModel& camera) {
 }  // namespace
 
 struct VisualSonar::Impl {
-  Impl(const RobotConfig& config, const SonarSettings& wanted) : robot(config), settings(wanted) {}
+  Impl(const RobotConfig& config, const SonarSettings& wanted) : robot(config), settings(wanted) {
+    settings.lines_are_obstacles = settings.lines_are_obstacles || robot.lines_are_obstacles;
+  }
 
   bool prepare_size(const cv::Mat& bgr);
   void prepare_neck(const NeckAngles& neck);

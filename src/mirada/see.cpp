@@ -126,7 +126,7 @@ int refuse(const Faults& faults, const SeeOptions& options) {
 
 int look_at_all(SeeJob& job, const SeeOptions& options) {
   vision::SonarSettings settings;
-  settings.lines_are_obstacles = options.lines_are_obstacles || job.robot.lines_are_obstacles;
+  settings.lines_are_obstacles = options.lines_are_obstacles;
   if (options.floor == "fixed-colour") settings.floor = vision::SonarSettings::Floor::fixed_colour;
   vision::VisualSonar sonar(job.robot, settings);
   const NeckAngles neck{rad(options.pan_deg), rad(options.tilt_deg)};

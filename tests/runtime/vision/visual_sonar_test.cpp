@@ -223,6 +223,10 @@ TEST(VisualSonar, APaintedLineIsAnObstacleOnlyWhenAskedFor) {
   SonarSettings settings;
   settings.lines_are_obstacles = true;
   EXPECT_NEAR(at(look_once(bgr, {}, settings), 0).distance_m, 0.675, 0.03);
+  RobotConfig on_a_field = robot();
+  on_a_field.lines_are_obstacles = true;
+  VisualSonar sonar(on_a_field);
+  EXPECT_NEAR(at(sonar.look(Frame{bgr, 10, 1}, {}, {}), 0).distance_m, 0.675, 0.03);
 }
 
 TEST(VisualSonar, ALargePatchThatLiesFlatIsFloor) {
