@@ -215,17 +215,12 @@ bool FaceTracker::lost_one() const {
   });
 }
 
-void FaceTracker::follow(FacesPercept& seen, const NeckAngles& neck, const Pose2& X_OR) {
-  const View here = view(seen, neck, X_OR);
-  struct Pair {
-    double cost;
-    std::size_t track, face;
-  };
-  std::vector<Pair> pairs;
+/// Which track may have become which face, the likeliest first.
+std::vector<FaceTracker::Pair> FaceTracker::pairs(const FacesPercept& seen, const View& here) const {
+  std::vector<Pair> out;
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
-    predict(tracks_[i], seen.t_exposure);
     const Track& track = tracks_[i];
-    const Vector3d p_R = to_R({track.state[0], track.state[1], track.height_m}, X_OR);
+    const Vector3d p_R = to_R({track.state[0], track.state[1], track.height_m}, here.X_OR);
     const Vector3d from_lens = p_R - here.X_RC.translation();
     const double lost_s = seconds(seen.t_exposure - track.last_seen);
     for (std::size_t j = 0; j < seen.faces.size(); ++j) {
@@ -235,36 +230,36 @@ void FaceTracker::follow(FacesPercept& seen, const NeckAngles& neck, const Pose2
                           kGateSpeed_mps * std::min(lost_s, 2.0) / cross_range(from_lens);
       const double ratio = std::abs(std::log(cross_range(from_lens) / cross_range(other)));
       const double cost = angle / gate + ratio / std::log(kMostSizeRatio);
-      if (angle < gate && ratio < std::log(kMostSizeRatio)) pairs.push_back({cost, i, j});
+      if (angle < gate && ratio < std::log(kMostSizeRatio)) out.push_back({cost, i, j});
     }
   }
-  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+  std::sort(out.begin(), out.end(), [](const Pair& a, const Pair& b) {
     return std::tuple(a.cost, a.track, a.face) < std::tuple(b.cost, b.track, b.face);
   });
-  std::vector<bool> track_done(tracks_.size()), face_done(seen.faces.size());
-  for (const auto& [cost, i, j] : pairs) {
-    if (track_done[i] || face_done[j]) continue;
-    track_done[i] = face_done[j] = true;
-    FacePercept& face = seen.faces[j];
-    correct(tracks_[i], face, here);
-    if (const auto steady = as_seen(tracks_[i], here)) {
-      face.id = steady->id;
-      face.distance_m = steady->distance_m;
-      face.sigma_m = steady->sigma_m;
-      face.p_O_m = steady->p_O_m;
-      face.v_O_mps = steady->v_O_mps;
-    }
-  }
-  for (std::size_t j = 0; j < face_done.size(); ++j) {
-    if (face_done[j]) continue;
-    tracks_.push_back(begin(seen.faces[j], here, seen.t_exposure));
-    seen.faces[j].id = tracks_.back().id;
-    seen.faces[j].p_O_m = tracks_.back().state.head<2>();
-  }
+  return out;
+}
+
+/// The face is this track's newest look; it gets the track's number and steadier place.
+void FaceTracker::take(Track& track, FacePercept& face, const View& here) const {
+  correct(track, face, here);
+  const auto steady = as_seen(track, here);
+  if (!steady) return;
+  face.id = steady->id;
+  face.distance_m = steady->distance_m;
+  face.sigma_m = steady->sigma_m;
+  face.p_O_m = steady->p_O_m;
+  face.v_O_mps = steady->v_O_mps;
+}
+
+void FaceTracker::forget_old(Micros now) {
   std::erase_if(tracks_, [&](const Track& track) {
-    const Micros unseen = seen.t_exposure - std::max(track.last_seen, track.last_body);
+    const Micros unseen = now - std::max(track.last_seen, track.last_body);
     return unseen > (track.looks < kSureLooks ? kForgetNewAfter : kForgetAfter);
   });
+}
+
+/// Faces that the detector has just missed, where they should be.
+void FaceTracker::add_predicted(FacesPercept& seen, const View& here) const {
   for (const Track& track : tracks_) {
     const Micros unseen = seen.t_exposure - track.last_seen;
     if (unseen == 0 || unseen > kHold || track.looks < kSureLooks) continue;
@@ -277,6 +272,25 @@ void FaceTracker::follow(FacesPercept& seen, const NeckAngles& neck, const Pose2
     if (x > 0 && y > 0 && x < seen.picture_width_px && y < seen.picture_height_px)
       seen.faces.push_back(*face);
   }
+}
+
+void FaceTracker::follow(FacesPercept& seen, const NeckAngles& neck, const Pose2& X_OR) {
+  const View here = view(seen, neck, X_OR);
+  for (Track& track : tracks_) predict(track, seen.t_exposure);
+  std::vector<bool> track_done(tracks_.size()), face_done(seen.faces.size());
+  for (const auto& [cost, i, j] : pairs(seen, here)) {
+    if (track_done[i] || face_done[j]) continue;
+    track_done[i] = face_done[j] = true;
+    take(tracks_[i], seen.faces[j], here);
+  }
+  for (std::size_t j = 0; j < face_done.size(); ++j) {
+    if (face_done[j]) continue;
+    tracks_.push_back(begin(seen.faces[j], here, seen.t_exposure));
+    seen.faces[j].id = tracks_.back().id;
+    seen.faces[j].p_O_m = tracks_.back().state.head<2>();
+  }
+  forget_old(seen.t_exposure);
+  add_predicted(seen, here);
 }
 
 }  // namespace mirada::vision

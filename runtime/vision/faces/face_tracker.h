@@ -23,8 +23,7 @@ class FaceTracker {
                                     const Pose2& X_OR) const;
 
   /// Numbers the faces of a picture and steadies their distance; adds, as
-  /// `predicted`, those that were there a moment ago. `looked`: the whole
-  /// picture was searched, so that a face that is not there has gone.
+  /// `predicted`, those that were there a moment ago.
   void follow(FacesPercept& seen, const NeckAngles& neck, const Pose2& X_OR);
 
   /// Somebody seen by what they wear, whose face is not seen: their bearing
@@ -76,6 +75,14 @@ class FaceTracker {
   static FacePercept made_whole(const FacePercept& face, const Track& track, const View& view);
   void correct(Track& track, const FacePercept& seen, const View& view) const;
   Track begin(const FacePercept& face, const View& view, Micros t);
+  struct Pair {
+    double cost;
+    std::size_t track, face;
+  };
+  std::vector<Pair> pairs(const FacesPercept& seen, const View& here) const;
+  void take(Track& track, FacePercept& face, const View& here) const;
+  void forget_old(Micros now);
+  void add_predicted(FacesPercept& seen, const View& here) const;
 
   RobotConfig robot_;
   std::vector<Track> tracks_;
