@@ -1,5 +1,6 @@
 // How scripts start and end: threads, frames, messages, stop.
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 #include "vm/machine_impl.h"
@@ -173,7 +174,9 @@ void Machine::Impl::drop(Thread& thread) {
 /// The thread is in no list any more.
 void Machine::Impl::release_waiters(Thread& thread) {
   for (const auto& [waiter, serial] : thread.waiters) {
-    if (waiter->serial == serial) --waiter->pending;
+    if (waiter->serial != serial) continue;
+    assert(waiter->pending > 0);
+    --waiter->pending;
   }
   thread.waiters.clear();
 }
@@ -181,7 +184,9 @@ void Machine::Impl::release_waiters(Thread& thread) {
 /// Who waits for nobody that still does something looks up at its next turn.
 void Machine::Impl::no_longer_active(Thread& thread) {
   for (const auto& [waiter, serial] : thread.waiters) {
-    if (waiter->serial != serial || --waiter->active > 0 || waiter->state != ThreadState::joining) continue;
+    if (waiter->serial != serial) continue;
+    assert(waiter->active > 0);
+    if (--waiter->active > 0 || waiter->state != ThreadState::joining) continue;
     waiter->state = ThreadState::ready;
     disturb();
   }
@@ -226,6 +231,7 @@ void Machine::Impl::stop_all_by_block() {
     Thread& thread = *threads[i];
     thread.waiters.clear();
     thread.pending = thread.active = 0;
+    if (thread.state == ThreadState::done) continue;  // a clone's instance may have gone with it
     if (i <= pass_index || thread.instance->is_clone) {
       end_thread(thread, ThreadEnd::killed);
     } else if (thread.state == ThreadState::joining) {
@@ -271,6 +277,7 @@ void Machine::Impl::join(Thread& thread, const std::vector<Thread*>& receivers_s
     other->waiters.emplace_back(&thread, thread.serial);
     if (other->state == ThreadState::done) --thread.active;
   }
+  if (thread.active == 0) thread.state = ThreadState::ready;  // none could start: nobody will wake it
 }
 
 /// The look of a script that waits for others. Whether it goes on; if not, it looks again in the next pass,

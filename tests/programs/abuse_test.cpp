@@ -157,6 +157,22 @@ Json sum_of(int blocks) {
   return in(block("operator_add", {{"NUM1", sum_of(left)}, {"NUM2", sum_of(blocks - 1 - left)}}));
 }
 
+TEST(Abuse, NobodyWaitsForReceiversThatFoundNoMemoryToStart) {
+  const Json ask = block("event_broadcastandwait", Json::object(), {{"BROADCAST_INPUT", named("m")}});
+  const Json receive =
+      block("event_whenbroadcastreceived", Json::object(), {{"BROADCAST_OPTION", named("m")}});
+  const Json big = block("control_repeat", {{"TIMES", sum_of(200)}, {"SUBSTACK", in(change("r"))}});
+  int refused = 0;
+  for (std::size_t bytes = 0; bytes < 400; bytes += 8) {
+    Limits limits;
+    limits.max_total_bytes = bytes;
+    Running run(program({hat({ask, change("n")}), stack({receive, big})}, {"n", "r"}, {}, {"m"}), limits);
+    EXPECT_TRUE(run.finish()) << bytes;
+    refused += run.value("n") == 1 && run.value("r") == 0;
+  }
+  EXPECT_GT(refused, 0);
+}
+
 TEST(Abuse, FiveThousandBlocksInOneExpressionAreWorkedOut) {
   Running run(program({hat({set("n", sum_of(4990))})}, {"n"}));
   run.finish();

@@ -1,6 +1,7 @@
 // Scratch files as they come: archives, odd shapes, broken parts. What they mean is in cases/.
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 #include <gtest/gtest.h>
 #include <zip.h>
@@ -68,6 +69,15 @@ TEST(ScratchFile, TheProjectMayLieInOneFolder) {
   Running run(std::string_view(archive({{"My game/project.json", small()}})));
   run.finish();
   EXPECT_EQ(run.list("L"), "x");
+}
+
+TEST(ScratchFile, StopAllMayComeTwiceInOneRoundWithACloneAbout) {
+  std::ifstream in(std::string(MIRADA_SOURCE_DIR) +
+                   "/tests/fuzz/corpus/scratch/stop-all-twice-in-one-round-with-a-clone-about.json");
+  const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  ASSERT_FALSE(text.empty());
+  Running run{std::string_view(text)};
+  EXPECT_TRUE(run.finish(5, false));
 }
 
 TEST(ScratchFile, ADotInAPathIsTheSamePlace) {
