@@ -115,7 +115,10 @@ NativeResult learn_face(robot::Robot& robot, NativeCall& call) {
   auto& lesson = static_cast<LessonInHand&>(*call.state());
   if (!lesson.kept.valid()) {
     const auto looks = lesson.book->looks_of(lesson.number);
-    if (!looks) return NativeResult::finished();
+    if (!looks) {  // the teacher's no ends a lesson
+      if (!lesson.book->allowed()) say(make_fault(call.block(), messages::faces_not_allowed));
+      return NativeResult::finished();
+    }
     const bool time_up = call.now() - lesson.since > kLongestLesson;
     if (*looks < vision::FaceBook::kLessonLooks && !time_up) return NativeResult::again_at();
     if (*looks < vision::FaceBook::kFewestLooks) {
@@ -127,6 +130,7 @@ NativeResult learn_face(robot::Robot& robot, NativeCall& call) {
   if (lesson.kept.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     return NativeResult::again_at();
   if (const Status kept = lesson.kept.get(); !kept) say(kept.faults().front());
+  if (!lesson.book->allowed()) say(make_fault(call.block(), messages::faces_not_allowed));
   return NativeResult::finished();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string_view>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -27,15 +28,28 @@ std::size_t characters(const std::string& text) {
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-/// Control characters, and those that turn the direction of writing: they change what stands beside a name.
-bool is_printable(const std::string& text) {
-  const bool controls =
-      std::any_of(text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7F'; });
-  constexpr std::string_view kTurns[] = {"\u200E", "\u200F", "\u202A", "\u202B", "\u202C", "\u202D",
-                                         "\u202E", "\u2066", "\u2067", "\u2068", "\u2069"};
-  return !controls && std::none_of(std::begin(kTurns), std::end(kTurns), [&](std::string_view turn) {
-    return text.find(turn) != std::string::npos;
-  });
+/// Without control characters and those that break lines or turn the direction of writing: they change what
+/// stands beside a name.
+std::string printable(const std::string& text) {
+  constexpr std::string_view kHidden[] = {"\u061C", "\u200E", "\u200F", "\u2028", "\u2029",
+                                          "\u202A", "\u202B", "\u202C", "\u202D", "\u202E",
+                                          "\u2066", "\u2067", "\u2068", "\u2069"};
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::string_view rest = std::string_view(text).substr(i);
+    const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(rest[k]); };
+    const auto* hidden = std::find_if(std::begin(kHidden), std::end(kHidden),
+                                      [&](std::string_view one) { return rest.starts_with(one); });
+    if (hidden != std::end(kHidden)) {
+      i += hidden->size();
+    } else if (byte(0) == 0xC2 && rest.size() > 1 && byte(1) < 0xA0) {
+      i += 2;  // a control character, too: U+0080 to U+009F
+    } else {
+      if (byte(0) >= ' ' && byte(0) != 0x7F) out += rest[0];
+      ++i;
+    }
+  }
+  return out;
 }
 
 bool is_utf8(const std::string& text) {
@@ -62,7 +76,7 @@ double likeness_to(const std::vector<FaceFeature>& looks, const FaceFeature& fea
 
 Status check_face_name(const std::string& name) {
   const bool blank = name.find_first_not_of(" \t\r\n") == std::string::npos;
-  if (!blank && characters(name) <= FaceBook::kLongestName && is_utf8(name) && is_printable(name))
+  if (!blank && characters(name) <= FaceBook::kLongestName && is_utf8(name) && printable(name) == name)
     return Ok{};
   return make_fault("", messages::face_name_bad, {{"max", std::to_string(FaceBook::kLongestName)}});
 }
@@ -95,7 +109,8 @@ Status FaceBook::read(const std::string& text) {
   in.number("version", 1, 1);
   allowed_ = in.truth_or("allowed", false);
   for (JsonReader& person : in.objects("people", kMostPeople)) {
-    Known known{person.text("name"), person.text("kind"), {}};
+    // Names that once were taken load for ever.
+    Known known{printable(person.text("name")), person.text("kind"), {}};
     for (JsonReader& look : person.objects("looks", kMostLooks)) {
       const std::vector<double> values = look.numbers("feature", 1, kLongestFeature, -1, 1);
       known.looks.emplace_back(values.begin(), values.end());
@@ -121,17 +136,24 @@ Status FaceBook::write(const std::vector<Known>& people, bool allowed) const {
   return write_file_atomically(file_, out.dump() + "\n", kOwnerOnly);
 }
 
-/// Written first, believed then.
-Status FaceBook::change(const Edit& edit) {
+Status FaceBook::change(const Edit& edit, bool ends_lesson) {
   const std::lock_guard changing(change_mutex_);
+  return change_now(edit, ends_lesson);
+}
+
+/// Written first, believed then. A lesson that began while the file was written ends, too.
+Status FaceBook::change_now(const Edit& edit, bool ends_lesson) {
   std::vector<Known> people;
   bool allowed = false;
   {
     const std::lock_guard lock(mutex_);
     people = people_;
     allowed = allowed_;
+    if (ends_lesson) lesson_.reset();
   }
-  if (const Status fine = edit(people, allowed); !fine) return fine;
+  const Result<bool> changed = edit(people, allowed);
+  if (!changed) return changed.faults();
+  if (!*changed) return Ok{};
   std::sort(people.begin(), people.end(), [](const Known& a, const Known& b) { return a.name < b.name; });
   if (is_kept()) {
     if (const Status written = write(people, allowed); !written) return written;
@@ -139,6 +161,7 @@ Status FaceBook::change(const Edit& edit) {
   const std::lock_guard lock(mutex_);
   people_ = std::move(people);
   allowed_ = allowed;
+  if (ends_lesson) lesson_.reset();
   ++revision_;
   return Ok{};
 }
@@ -149,15 +172,9 @@ bool FaceBook::allowed() const {
 }
 
 Status FaceBook::allow(bool on) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (!on) lesson_.reset();
-    if (on == allowed_) return Ok{};
-  }
-  return change([on](std::vector<Known>&, bool& allowed) {
-    allowed = on;
-    return Status(Ok{});
-  });
+  return change(
+      [on](std::vector<Known>&, bool& allowed) -> Result<bool> { return std::exchange(allowed, on) != on; },
+      !on);
 }
 
 std::vector<FaceBook::Person> FaceBook::people() const {
@@ -167,9 +184,9 @@ std::vector<FaceBook::Person> FaceBook::people() const {
   return out;
 }
 
-Status FaceBook::add(std::vector<Known>& people, const std::string& name, const std::string& kind,
-                     const std::vector<FaceFeature>& looks) {
-  if (const Status fine = check_face_name(name); !fine) return fine;
+Result<bool> FaceBook::add(std::vector<Known>& people, const std::string& name, const std::string& kind,
+                           const std::vector<FaceFeature>& looks) {
+  if (const Status fine = check_face_name(name); !fine) return fine.faults();
   auto known = by_name(people, name);
   if (known == people.end()) {
     if (people.size() >= kMostPeople)
@@ -181,7 +198,7 @@ Status FaceBook::add(std::vector<Known>& people, const std::string& name, const 
   known->looks.insert(known->looks.end(), looks.begin(), looks.end());
   if (known->looks.size() > kMostLooks)
     known->looks.erase(known->looks.begin(), known->looks.end() - static_cast<std::ptrdiff_t>(kMostLooks));
-  return Ok{};
+  return true;
 }
 
 Status FaceBook::learn(const std::string& name, const std::string& kind,
@@ -191,34 +208,33 @@ Status FaceBook::learn(const std::string& name, const std::string& kind,
 
 Status FaceBook::rename(const std::string& name, const std::string& to) {
   if (const Status fine = check_face_name(to); !fine) return fine;
-  return change([&](std::vector<Known>& people, bool&) -> Status {
+  return change([&](std::vector<Known>& people, bool&) -> Result<bool> {
     const auto known = by_name(people, name);
     if (known == people.end()) return unknown_name(name);
-    if (name != to && by_name(people, to) != people.end())
-      return make_fault("", messages::face_name_taken, {{"name", to}});
+    if (name == to) return false;
+    if (by_name(people, to) != people.end()) return make_fault("", messages::face_name_taken, {{"name", to}});
     known->name = to;
-    return Ok{};
+    return true;
   });
 }
 
 Status FaceBook::forget(const std::string& name) {
-  return change([&](std::vector<Known>& people, bool&) -> Status {
+  return change([&](std::vector<Known>& people, bool&) -> Result<bool> {
     const auto known = by_name(people, name);
     if (known == people.end()) return unknown_name(name);
     people.erase(known);
-    return Ok{};
+    return true;
   });
 }
 
 Status FaceBook::forget_all() {
-  {
-    const std::lock_guard lock(mutex_);
-    lesson_.reset();
-  }
-  return change([](std::vector<Known>& people, bool&) {
-    people.clear();
-    return Status(Ok{});
-  });
+  return change(
+      [](std::vector<Known>& people, bool&) -> Result<bool> {
+        const bool any = !people.empty();
+        people.clear();
+        return any;
+      },
+      true);
 }
 
 FaceBook::Match FaceBook::match(const FaceFeature& feature, const std::string& kind) const {
@@ -275,18 +291,23 @@ void FaceBook::teach(std::uint64_t lesson, const std::string& kind, std::optiona
 }
 
 Status FaceBook::end_lesson(std::uint64_t lesson, bool keep) {
+  std::unique_lock changing(change_mutex_, std::defer_lock);
+  // Before the lesson is taken out: whoever forgets everybody meanwhile finds it in one place or the other.
+  if (keep) changing.lock();
   Lesson done;
   {
     const std::lock_guard lock(mutex_);
     if (!lesson_ || lesson_->number != lesson) return Ok{};
     done = std::move(*lesson_);
     lesson_.reset();
-    if (!keep || !allowed_) return Ok{};
   }
-  // A teacher's no that came meanwhile counts.
-  return change([&](std::vector<Known>& people, bool& allowed) {
-    return allowed ? add(people, done.name, done.kind, done.looks) : Status(Ok{});
-  });
+  if (!keep) return Ok{};
+  return change_now(
+      [&](std::vector<Known>& people, bool& allowed) -> Result<bool> {
+        if (!allowed) return false;
+        return add(people, done.name, done.kind, done.looks);
+      },
+      false);
 }
 
 }  // namespace mirada::vision

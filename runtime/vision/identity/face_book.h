@@ -44,7 +44,7 @@ class FaceBook {
     std::size_t looks = 0;
   };
   std::vector<Person> people() const;  ///< by name
-  /// Grows with every change of people or of allowed().
+  /// Grows when people or allowed() are different.
   std::uint64_t revision() const { return revision_; }
 
   Status learn(const std::string& name, const std::string& kind, const std::vector<FaceFeature>& looks);
@@ -96,15 +96,17 @@ class FaceBook {
 
   explicit FaceBook(std::filesystem::path file) : file_(std::move(file)) {}
   Status read(const std::string& text);
-  using Edit = std::function<Status(std::vector<Known>& people, bool& allowed)>;
-  Status change(const Edit& edit);
+  /// Whether anything is different then.
+  using Edit = std::function<Result<bool>(std::vector<Known>& people, bool& allowed)>;
+  Status change(const Edit& edit, bool ends_lesson = false);
+  Status change_now(const Edit& edit, bool ends_lesson);  ///< with change_mutex_ held
   Status write(const std::vector<Known>& people, bool allowed) const;
-  static Status add(std::vector<Known>& people, const std::string& name, const std::string& kind,
-                    const std::vector<FaceFeature>& looks);
+  static Result<bool> add(std::vector<Known>& people, const std::string& name, const std::string& kind,
+                          const std::vector<FaceFeature>& looks);
 
+  std::filesystem::path file_;  ///< "" = in memory only; never changes once the book is open
   std::mutex change_mutex_;     ///< one change at a time, its file included; taken before mutex_
   mutable std::mutex mutex_;    ///< of everything below but the revision; never held while a file is written
-  std::filesystem::path file_;  ///< "" = in memory only
   std::vector<Known> people_;   ///< by name
   bool allowed_ = false;
   std::atomic<std::uint64_t> revision_ = 1;

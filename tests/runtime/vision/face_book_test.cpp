@@ -1,6 +1,7 @@
 #include "vision/identity/face_book.h"
 
 #include <filesystem>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -136,8 +137,49 @@ TEST_F(FaceBookTest, ACopyIsNotWritten) {
 
 TEST(FaceBook, NamesAreTextAndNothingElse) {
   EXPECT_TRUE(check_face_name("Zoë 😀"));
-  for (const char* bad : {"", "  ", "a\x1b[2J", "a\nb", "\u202Eana"})
+  for (const char* bad : {"", "  ", "a\x1b[2J", "a\nb", "\u202Eana", "a\u2028b", "\u061Cb", "a\u0085"})
     EXPECT_FALSE(check_face_name(bad)) << bad;
+}
+
+TEST_F(FaceBookTest, AFileWithANameThatWasOnceTakenLoads) {
+  fs::create_directories(file.parent_path());
+  const Status kept = write_file_atomically(file, R"({"format": "mirada-faces", "version": 1, "allowed": true,
+    "people": [{"name": "\u200Fana\t", "kind": "k", "looks": []}]})");
+  ASSERT_TRUE(kept.ok());
+  const auto book = FaceBook::open(file);
+  ASSERT_TRUE(book.ok());
+  EXPECT_THAT(names(**book), testing::ElementsAre("ana"));
+}
+
+TEST(FaceBook, WhatChangesNothingIsNoChange) {
+  FaceBook book;
+  ASSERT_TRUE(book.allow(true).ok());
+  ASSERT_TRUE(book.learn("Ana", "k", {along(0)}).ok());
+  const std::uint64_t before = book.revision();
+  EXPECT_TRUE(book.allow(true).ok());
+  EXPECT_TRUE(book.rename("Ana", "Ana").ok());
+  EXPECT_EQ(book.revision(), before);
+  EXPECT_TRUE(book.allow(false).ok());
+  EXPECT_GT(book.revision(), before);
+}
+
+TEST(FaceBook, ForgettingAndForbiddingHoldAgainstLessonsOnOtherThreads) {
+  for (int round = 0; round < 50; ++round) {
+    FaceBook book;
+    ASSERT_TRUE(book.allow(true).ok());
+    const std::uint64_t lesson = book.begin_lesson("Ana");
+    book.teach(lesson, "k", along(0), nullptr);
+    std::thread keeps([&] { (void)book.end_lesson(lesson, true); });
+    std::thread allows([&] { (void)book.allow(true); });
+    ASSERT_TRUE(book.allow(false).ok());
+    keeps.join();
+    allows.join();
+    ASSERT_TRUE(book.forget_all().ok());
+    EXPECT_TRUE(book.people().empty());
+    ASSERT_TRUE(book.allow(false).ok());
+    EXPECT_FALSE(book.allowed());
+    EXPECT_FALSE(book.lesson());
+  }
 }
 
 }  // namespace
