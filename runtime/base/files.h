@@ -12,7 +12,7 @@ namespace mirada {
 Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t max_bytes = 64u << 20);
 
 /// Writes beside the file, syncs and renames, so that a power cut leaves the old or the new file, never half
-/// of one. The file never has other rights than `mode`.
+/// of one. The file has the rights `mode`, less what the umask takes.
 Status write_file_atomically(const std::filesystem::path& path, std::string_view bytes, unsigned mode = 0644);
 
 /// The folder that holds a data folder such as "blocks", "ui/dist", "runtime/model/robots" or

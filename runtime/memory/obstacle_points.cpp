@@ -28,6 +28,12 @@ double length(const Eigen::Matrix2d& covariance, const Vector2d& along) {
   return std::sqrt(std::max(0.0, along.dot(covariance * along)));
 }
 
+/// The half plane to the left of an edge of the view, through the robot.
+struct Edge {
+  Vector2d along_O;
+  double left_of_m(const Vector2d& v) const { return along_O.x() * v.y() - along_O.y() * v.x(); }
+};
+
 }  // namespace
 
 Eigen::Matrix2d ObstaclePoint::covariance(const DriftLedger& drift) const {
@@ -37,12 +43,6 @@ Eigen::Matrix2d ObstaclePoint::covariance(const DriftLedger& drift) const {
   return sigma_m * sigma_m * sight_O * sight_O.transpose() + across_m * across_m * side * side.transpose() +
          drift.covariance(seen, p_O_m);
 }
-
-/// The half plane to the left of an edge of the view, through the robot.
-struct Edge {
-  Vector2d along_O;
-  double left_of_m(const Vector2d& v) const { return along_O.x() * v.y() - along_O.y() * v.x(); }
-};
 
 /// One picture and what of it is explained by places known already.
 struct ObstaclePoints::Look {

@@ -3,10 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "server/json_text.h"
-#include "server/message_scan.h"
 #include "server/server_messages.h"
 #include "vm/machine.h"
-#include "vm/messages.h"
 #include "vm/scratch_import.h"
 
 namespace mirada::server {
@@ -42,10 +40,6 @@ std::string examples_json(const std::vector<Example>& examples) {
 }
 
 std::string check_program(const std::string& program_json, const packs::PackSet& packs) {
-  // An empty workspace is a program; nothing at all is none.
-  const ScannedObject scanned = scan_object(program_json);
-  if (!scanned.broken_at && scanned.members.empty())
-    return check_json({make_fault("/workspace", vm::messages::workspace_missing)});
   const Result<vm::LoadedProgram> loaded = vm::load_program(program_json, packs.catalog);
   return check_json(loaded.ok() ? loaded->warnings : loaded.faults());
 }

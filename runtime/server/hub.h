@@ -77,7 +77,6 @@ class Hub {
   void handle(Viewer& viewer, const ReadMessage& read);
   void hello(Viewer& viewer, const ClientMessage& message);
   void check_code(Viewer& viewer, const std::string& code);
-  /// Why this is not the code, or null when it is; a wrong one counts.
   /// Why this code does not do, or null; `own` and `all` count the viewer's tries and everybody's wrong ones.
   const Message* code_trouble(const std::string& typed, const std::string& code, TryLimit& own,
                               TryLimit& all);

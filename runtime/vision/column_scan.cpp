@@ -96,6 +96,16 @@ ColumnResult ColumnScan::with_crossings(ColumnResult result) const {
   return result;
 }
 
+ColumnResult ColumnScan::ends_at(int column, int row, const ColumnSpan& span,
+                                 const ColumnResult& before) const {
+  ColumnResult out = refined(column, row, span);
+  for (int k = 0; k < before.crossing_count; ++k) {
+    const ColumnResult::Crossing& crossed = before.crossings[static_cast<std::size_t>(k)];
+    if (crossed.to_row > row) out.crossings[static_cast<std::size_t>(out.crossing_count++)] = crossed;
+  }
+  return out;
+}
+
 double ColumnScan::as_obstacle_m(int from_row, int to_row) const {
   return scale_.height_m * (1 - scale_.depth_m[static_cast<std::size_t>(from_row)] /
                                     scale_.depth_m[static_cast<std::size_t>(std::max(to_row, 0))]);

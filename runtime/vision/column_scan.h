@@ -74,10 +74,8 @@ class ColumnScan {
   /// `home` is the main look of the floor where `looks` was learnt.
   void prepare(const FloorTexture& texture, const Look& home, const ScanSettings& settings);
   ColumnResult run(int column, const ColumnSpan& span, const Look& start);
-  /// The answer for a column where the floor ends below `row`.
-  ColumnResult ends_at(int column, int row, const ColumnSpan& span) const {
-    return refined(column, row, span);
-  }
+  /// The answer for a column where the floor ends below `row`; what was crossed before stays known.
+  ColumnResult ends_at(int column, int row, const ColumnSpan& span, const ColumnResult& before) const;
   /// Whether what could be a thing at `row` has to be taken for one.
   bool is_careful_at(int row) const {
     return settings_.careful && scale_.depth_m[static_cast<std::size_t>(std::max(row, 0))] < kCareful_m;

@@ -150,7 +150,8 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
     scan_columns(grid, spans, scale, study_.main_look(), column_scan, results);
     if (plausible(results)) {
       home_ = study_.main_look();
-      blind_pictures_ = 0;
+      blind_pictures_ = lost_pictures_ =
+          0;  // known again; what it looks like now is learnt from the next picture on
       return true;
     }
     results = blind_results_;
@@ -219,8 +220,8 @@ bool FloorMemory::is_in_other_light() const {
          std::abs(main.blue - home_.blue) <= kSameColour;
 }
 
-/// Pictures before this one have shown none of the floor either, and the robot or its neck has moved since:
-/// one thing that stands in the way would have let the floor be seen beside it.
+/// Pictures before this one have begun without the floor in many columns, too, and the robot or its neck has
+/// moved since: one thing that stands in the way would hardly have stayed there.
 bool FloorMemory::blind_all_round(const std::vector<ColumnResult>& results, const Place& place) {
   constexpr int kBlindBefore = 1;
   if (!is_blind(results, kMostlyBlind)) {

@@ -129,7 +129,7 @@ bool FloorStudy::choose_floor() {
     Group& group = groups_[static_cast<std::size_t>(i)];
     if (!counts(i)) continue;
     grouped += group.size;
-    const bool low = group.foot_columns >= kColumns / 8 && group.ended_columns * 5 >= group.foot_columns * 3;
+    const bool low = has_feet(i) && group.ended_columns * 5 >= group.foot_columns * 3;
     group.floor = low || group.inner_columns >= kColumns / 8 || group.parted_rows >= kRows / 4;
     if (group.foot_columns >= kColumns / 4 && (!main || group.size > main->size)) main = &group;
   }

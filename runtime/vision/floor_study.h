@@ -37,8 +37,8 @@ class FloorStudy {
     int size = 0;
     int foot_columns = 0;   ///< columns that it begins
     int ended_columns = 0;  ///< columns that it begins and another one with feet goes on with
-    int inner_columns = 0;  ///< columns where it lies between two parts of another
-    int parted_rows = 0;    ///< rows where something else lies between two parts of it
+    int inner_columns = 0;  ///< columns where it lies between two parts of another one with feet
+    int parted_rows = 0;    ///< rows where one with feet lies between two parts of it
     bool floor = false;
   };
   struct Sample {

@@ -100,13 +100,14 @@ struct Steps {
   }
 };
 
-int foot_row(const RowScale& scale, int end_row, double height_m) {
-  const double end_m = scale.depth_m[static_cast<std::size_t>(end_row)];
-  const double foot_m = end_m * (1 - height_m / scale.height_m);
-  int row = end_row;
-  const int last = static_cast<int>(scale.depth_m.size()) - 1;
-  while (row < last && scale.depth_m[static_cast<std::size_t>(row)] > foot_m) ++row;
+/// The first row from `row` on, at most `last`, that lies no farther off than `to_m`.
+int row_at(const RowScale& scale, int row, int last, double to_m) {
+  while (row < last && scale.depth_m[static_cast<std::size_t>(row)] > to_m) ++row;
   return row;
+}
+
+double foot_m(const RowScale& scale, int end_row, double height_m) {
+  return scale.depth_m[static_cast<std::size_t>(end_row)] * (1 - height_m / scale.height_m);
 }
 
 int end_row(const ColumnResult& result) { return static_cast<int>(std::lround(result.row + 0.5)); }
@@ -122,14 +123,10 @@ double board_height_m(const PictureGrid& grid, const RowScale& scale, const std:
     const Downwards rows(grid, column, end, spans[i].bottom_row);
     int row = end;
     for (int h = 0; h < kBoardHeights; ++h) {
-      const double foot_m = scale.depth_m[static_cast<std::size_t>(end)] *
-                            (1 - (kLowestBoard_m + h * kHeightStep_m) / scale.height_m);
-      while (row < spans[i].bottom_row && scale.depth_m[static_cast<std::size_t>(row)] > foot_m) ++row;
+      const double at_m = foot_m(scale, end, kLowestBoard_m + h * kHeightStep_m);
+      row = row_at(scale, row, spans[i].bottom_row, at_m);
       if (row >= spans[i].bottom_row) break;
-      int joint = row;
-      while (joint < spans[i].bottom_row &&
-             scale.depth_m[static_cast<std::size_t>(joint)] > foot_m - kJointWidth_m)
-        ++joint;
+      const int joint = row_at(scale, row, spans[i].bottom_row, at_m - kJointWidth_m);
       steps[static_cast<std::size_t>(h)].add(rows, row - end, joint - row);
     }
   }
@@ -159,8 +156,10 @@ void stop_at_skirting(const PictureGrid& grid, const RowScale& scale, const std:
     if (last - first + 1 >= kNarrowestWall) {
       const double height_m = board_height_m(grid, scale, spans, results, first, last);
       for (int column = first; height_m > 0 && column <= last; ++column) {
-        const int row = foot_row(scale, end_row(at(column)), height_m) - 1;
-        at(column) = scan.ends_at(column, row, spans[static_cast<std::size_t>(column)]);
+        const ColumnSpan& span = spans[static_cast<std::size_t>(column)];
+        const int end = end_row(at(column));
+        const int row = row_at(scale, end, span.bottom_row, foot_m(scale, end, height_m)) - 1;
+        at(column) = scan.ends_at(column, row, span, at(column));
       }
     }
     first = last + 1;

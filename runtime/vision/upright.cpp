@@ -263,7 +263,7 @@ void stop_at_upright(const ColumnScan& scan, const std::vector<ColumnSpan>& span
     ColumnResult& result = results[static_cast<std::size_t>(column)];
     if (result.stop < 0) continue;
     const int row = result.crossings[static_cast<std::size_t>(result.stop)].from_row;
-    result = scan.ends_at(column, row, spans[static_cast<std::size_t>(column)]);
+    result = scan.ends_at(column, row, spans[static_cast<std::size_t>(column)], {});
   }
   drop_specks(scan, results);
 }

@@ -69,6 +69,9 @@ void Reader::read(JsonValue root) {
     if (!inner) return fault("/workspace", messages::workspace_missing);
     if (!inner.is_object()) return wrong("/workspace", "/workspace", "{...}", inner);
     workspace = inner;
+  } else if (root.empty()) {
+    return fault("/workspace",
+                 messages::workspace_missing);  // an empty workspace is a program, nothing is none
   }
   read_variables(workspace);
   read_tops(workspace);

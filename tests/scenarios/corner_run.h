@@ -10,7 +10,7 @@ struct CornerRun {
   double nearest_m = 0;  ///< least distance of its middle to the corner's point
   double end_m = 0;      ///< the same at the end
   int crossings = 0;     ///< of the lines
-  bool looked = false;   ///< the neck moved after the robot had stopped in the corner
+  bool looked = false;   ///< the neck moved at any time
   bool left = false;     ///< was in the corner, ended outside of it, crossed nothing and did not look again
   std::string status;
   std::string hash;
