@@ -56,7 +56,7 @@ inline constexpr Message too_many_parameters{
     "El bloque «{name}» tiene {count} parámetros; {limit} es el máximo."};
 inline constexpr Message archive_broken{
     "archive_broken", "This is no Scratch file: I can't unpack it. Save it again from Scratch.",
-    "Esto no es un archivo de Scratch: no puedo abrirlo. Guárdalo otra vez."};
+    "Esto no es un archivo de Scratch: no puedo abrirlo. Guárdalo otra vez desde Scratch."};
 inline constexpr Message archive_without_project{"archive_without_project",
                                                  "There is no project.json in this Scratch file.",
                                                  "En este archivo de Scratch no hay project.json."};

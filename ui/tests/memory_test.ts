@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { attentionWords } from '../src/stage/memory';
-import { memoryView, onCanvas, strength, thingMark } from '../src/stage/memory_draw';
+import { drawMemory, memoryView, onCanvas, strength } from '../src/stage/memory_draw';
 import type { Memory } from '../src/wire/protocol';
 
 const robot = { x_m: 1, y_m: 2, heading_deg: 90, pan_deg: 0, hfov_deg: 62 };
@@ -28,9 +28,32 @@ describe('the memory from above', () => {
     expect(left[1]).toBeCloseTo(260);
   });
 
-  it('marks things by what they are, tags by their number', () => {
-    expect(thingMark('tag', 7)).toContain('7');
-    expect(thingMark('face', 0)).not.toBe(thingMark('red_ball', 0));
+  it('writes the number of a tag where the tag was seen', () => {
+    const view = memoryView(520, 520);
+    const written: unknown[][] = [];
+    const pen = new Proxy(
+      {},
+      {
+        get:
+          (_, name) =>
+          (...given: unknown[]) =>
+            name === 'fillText' && written.push(given),
+        set: () => true,
+      },
+    );
+    drawMemory(
+      pen as CanvasRenderingContext2D,
+      view,
+      {
+        ...memory,
+        things: [
+          ['tag', 7, 1, 3, 0.1, 0],
+          ['face', 0, 1, 1, 0.1, 0],
+        ],
+      },
+      '#9966ff',
+    );
+    expect(written).toContainEqual(['7', 260, expect.closeTo(160)]);
   });
 
   it('fades with age, and never quite away', () => {

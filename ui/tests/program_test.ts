@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { eachBlock, maxProgramBytes, readProgram } from '../src/model/program';
+import { type Program, eachBlock, inLanguage, maxProgramBytes, readProgram } from '../src/model/program';
 import { shippedExamples, stack, wait, workspaceOf } from './support';
 
 const envelope = (workspace: unknown, more = {}) =>
@@ -42,5 +42,28 @@ describe('eachBlock', () => {
     const ids = [...eachBlock(workspaceOf(stack(...list)))].map((block) => block.id);
     expect(ids.length).toBe(40_000);
     expect(ids.slice(0, 3)).toEqual(['b0', 'b0s', 'b1']);
+  });
+});
+
+const shipped = import.meta.glob<Program>('../../blocks/*/examples/*.json', {
+  eager: true,
+  import: 'default',
+});
+
+describe('an example', () => {
+  it('speaks the language that the editor speaks', () => {
+    expect(Object.keys(shipped).length).toBeGreaterThan(5);
+    for (const [file, example] of Object.entries(shipped)) {
+      const texts = [...JSON.stringify(example.workspace).matchAll(/"TEXT":"([^"]*)"/g)].map(
+        (found) => found[1]!,
+      );
+      const spanish = JSON.stringify(inLanguage(example, 'es').workspace);
+      for (const text of texts.filter((one) => /\p{L}/u.test(one))) {
+        expect(example.words?.es?.[text], `${file}: ${text}`).toBeTruthy();
+        expect(spanish).toContain(JSON.stringify(example.words!.es![text]));
+        expect(spanish).not.toContain(JSON.stringify(text));
+      }
+      expect(inLanguage(example, 'en')).toBe(example);
+    }
   });
 });

@@ -111,7 +111,7 @@ function Driver() {
   const who = youDrive.value ? t('you_drive') : free.value ? '' : t('watching');
   if (!who && !others) return null;
   return (
-    <span class="driver" data-testid="driver">
+    <span class={youDrive.value ? 'driver' : 'driver watching'} data-testid="driver">
       {who}
       {who && others && ' · '}
       {others}

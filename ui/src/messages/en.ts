@@ -70,6 +70,7 @@ export const en = {
   faces_plain:
     'I look for faces in the plain way (Haar). Start me with scripts/run while there is internet, and I get the better face model.',
   faces_known: 'Known faces',
+  faces_names: 'Names…',
   faces_privacy:
     'The robot keeps faces as numbers, never as pictures, in its own folder, and sends them nowhere. Forgetting is at once and for good.',
   faces_on: 'The robot may learn and recognise faces.',

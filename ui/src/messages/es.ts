@@ -71,6 +71,7 @@ export const es: Record<MessageKey, string> = {
   faces_plain:
     'Busco caras de la manera sencilla (Haar). Arráncame con scripts/run cuando haya internet y tendré el modelo de caras mejor.',
   faces_known: 'Caras conocidas',
+  faces_names: 'Nombres…',
   faces_privacy:
     'El robot guarda las caras como números, nunca como imágenes, en su propia carpeta, y no las envía a ningún sitio. Olvidar es inmediato y para siempre.',
   faces_on: 'El robot puede aprender y reconocer caras.',

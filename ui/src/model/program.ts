@@ -1,3 +1,4 @@
+import type { Lang } from './words';
 /** The program as it travels (docs/program-format.md) and what can be said about it without Blockly. */
 
 export interface ConnectionState {
@@ -36,6 +37,17 @@ export interface Program {
   name: string;
   packs: string[];
   workspace: WorkspaceState;
+  /** Of an example: what its texts are in another language, by the text. */
+  words?: Partial<Record<Lang, Record<string, string>>>;
+}
+
+/** An example with its texts in this language. */
+export function inLanguage(program: Program, language: Lang): Program {
+  const words = program.words?.[language];
+  if (!words) return program;
+  const said = (key: string, value: unknown): unknown =>
+    key === 'TEXT' && typeof value === 'string' ? (words[value] ?? value) : value;
+  return JSON.parse(JSON.stringify(program), said) as Program;
 }
 
 export const maxProgramBytes = 4 * 1024 * 1024;

@@ -116,32 +116,44 @@ function drawPlaces(pen: Pen, view: MemoryView, memory: Memory, colour: string):
   }
 }
 
-const marks = { face: '🙂', tag: '▣', red_ball: '●' } as const;
+const ink = (share: number) => `rgba(31, 42, 68, ${share})`;
 
-/** What is written at a remembered thing. */
-export function thingMark(kind: keyof typeof marks, id: number): string {
-  return kind === 'tag' ? `${marks.tag} ${id}` : marks[kind];
+/** Two eyes and a mouth. */
+function drawSmile(pen: Pen, x: number, y: number): void {
+  pen.beginPath();
+  for (const side of [-3.5, 3.5]) {
+    pen.moveTo(x + side + 1.4, y - 2.5);
+    pen.arc(x + side, y - 2.5, 1.4, 0, 2 * Math.PI);
+  }
+  pen.fill();
+  pen.beginPath();
+  pen.arc(x, y, 5.5, 0.2 * Math.PI, 0.8 * Math.PI);
+  pen.stroke();
 }
 
+/** Where a face, a tag (with its number) or a ball was seen last; the circle is as large as that is unsure. */
 function drawThings(pen: Pen, view: MemoryView, memory: Memory): void {
-  pen.textAlign = 'center';
-  pen.textBaseline = 'middle';
   for (const [kind, id, x_m, y_m, sigma_m, age_s] of memory.things) {
+    const share = strength(age_s);
     const [x, y] = onCanvas(view, memory.robot, [x_m, y_m]);
     pen.beginPath();
     pen.arc(x, y, Math.min(30, Math.max(11, sigma_m * view.scale)), 0, 2 * Math.PI);
-    pen.fillStyle = `rgba(255, 255, 255, ${0.85 * strength(age_s)})`;
+    pen.fillStyle =
+      kind === 'red_ball' ? `rgba(214, 40, 40, ${0.8 * share})` : `rgba(255, 255, 255, ${0.85 * share})`;
     pen.fill();
     pen.lineWidth = 1.5;
-    pen.strokeStyle = `rgba(31, 42, 68, ${strength(age_s)})`;
+    pen.strokeStyle = pen.fillStyle = ink(share);
     pen.stroke();
-    pen.fillStyle =
-      kind === 'red_ball' ? `rgba(214, 40, 40, ${strength(age_s)})` : `rgba(31, 42, 68, ${strength(age_s)})`;
-    pen.font = kind === 'tag' ? '11px sans-serif' : '15px sans-serif';
-    pen.fillText(thingMark(kind, id), x, y);
+    if (kind === 'face') drawSmile(pen, x, y);
+    if (kind === 'tag') {
+      pen.font = '800 11px sans-serif';
+      pen.textAlign = 'center';
+      pen.textBaseline = 'middle';
+      pen.fillText(String(id), x, y);
+      pen.textAlign = 'start';
+      pen.textBaseline = 'alphabetic';
+    }
   }
-  pen.textAlign = 'start';
-  pen.textBaseline = 'alphabetic';
 }
 
 function drawRobot(pen: Pen, view: MemoryView, robot: Memory['robot']): void {

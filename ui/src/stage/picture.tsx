@@ -85,8 +85,14 @@ export function Picture() {
           {plainFaces.value ? t('show_faces_plain') : t('show_faces')}
         </button>
         {knownFaces.value && (
-          <button type="button" class="chip" data-testid="known-faces" onClick={openFaces}>
-            {t('faces_known')}
+          <button
+            type="button"
+            class="chip opens"
+            data-testid="known-faces"
+            title={t('faces_known')}
+            onClick={openFaces}
+          >
+            {t('faces_names')}
           </button>
         )}
       </header>

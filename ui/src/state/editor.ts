@@ -7,13 +7,13 @@ import { FaultMarks, Glow } from '../canvas/marks';
 import { answerClicks } from '../canvas/value_bubble';
 import { askText } from '../dialogs/ask';
 import { type MessageKey, lang, say, t } from '../messages';
-import { type Program, eachBlock, makeProgram, readProgram } from '../model/program';
+import { type Program, eachBlock, inLanguage, makeProgram, readProgram } from '../model/program';
 import { type Bytes, onlyProject } from '../model/scratch_file';
 import type { Lang } from '../model/words';
 import { type OpenedScratch, type Robot, openScratch } from '../wire/api';
 import type { Example } from '../wire/protocol';
 import { Keeper, emptyProject, lastProject, projectName, recover } from './project';
-import { codeWanted, faults, giveCode, noteKey, run, startFaults, telemetry } from './robot';
+import { codeWanted, faults, giveCode, noteKey, run, startFaults, telemetry, youDrive } from './robot';
 import { type Project, ProjectStore } from './store';
 
 const emptyWorkspace = { blocks: { languageVersion: 0, blocks: [] }, variables: [] };
@@ -41,7 +41,10 @@ export class Editor {
     });
     answerClicks(this.canvas.workspace, () => this.program());
     const glow = new Glow(this.canvas.workspace);
-    effect(() => glow.show(telemetry.value?.state === 'running' ? telemetry.value.blocks : []));
+    // Who watches has another program open, maybe one with the same ids.
+    effect(() =>
+      glow.show(youDrive.value && telemetry.value?.state === 'running' ? telemetry.value.blocks : []),
+    );
     effect(() => this.faultMarks.show(faults.value));
     codeWanted.subscribe((times) => {
       if (times > 0) askText(t('ask_code'), '', () => null, giveCode);
@@ -100,7 +103,7 @@ export class Editor {
   }
 
   openExample(example: Example): Promise<void> {
-    return this.openNew(example.program, say(example.name));
+    return this.openNew(inLanguage(example.program, lang.peek()), say(example.name));
   }
 
   newProject(): Promise<void> {

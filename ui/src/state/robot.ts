@@ -174,7 +174,10 @@ function refused(to: string, list: Fault[]): void {
     codeWanted.value += 1;
     return;
   }
-  if (to === 'faces') facesRefused.value = list[0]?.message ?? null;
+  if (to === 'faces') {
+    facesRefused.value = list[0]?.message ?? null; // its dialog says it
+    return;
+  }
   if (to !== 'run') {
     for (const fault of list) noteWords(fault.severity, fault.message);
     return;
@@ -292,6 +295,8 @@ export function choose(next: Pick<Setup, 'world' | 'robot' | 'seed'>): void {
 }
 
 export function putBack(): void {
+  // A program that is ended by it says so itself.
+  if (telemetry.peek()?.state === 'idle') noteKey('info', 'why_put_back');
   connection?.send({ type: 'put_back' });
 }
 
