@@ -1,4 +1,4 @@
-import type { Lang } from './words';
+import type { Lang, Words } from './words';
 /** The program as it travels (docs/program-format.md) and what can be said about it without Blockly. */
 
 export interface ConnectionState {
@@ -37,17 +37,16 @@ export interface Program {
   name: string;
   packs: string[];
   workspace: WorkspaceState;
-  /** Of an example: what its texts are in another language, by the text. */
-  words?: Partial<Record<Lang, Record<string, string>>>;
+  /** Of an example: each of its texts as it stands in the program (en), and in the other languages. */
+  words?: Words[];
 }
 
 /** An example with its texts in this language. */
 export function inLanguage(program: Program, language: Lang): Program {
-  const words = program.words?.[language];
-  if (!words) return program;
+  const words = new Map(program.words?.map((one) => [one.en, one[language] ?? one.en]));
   const said = (key: string, value: unknown): unknown =>
-    key === 'TEXT' && typeof value === 'string' ? (words[value] ?? value) : value;
-  return JSON.parse(JSON.stringify(program), said) as Program;
+    key === 'TEXT' && typeof value === 'string' ? (words.get(value) ?? value) : value;
+  return { ...program, workspace: JSON.parse(JSON.stringify(program.workspace), said) as WorkspaceState };
 }
 
 export const maxProgramBytes = 4 * 1024 * 1024;
