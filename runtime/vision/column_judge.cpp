@@ -190,8 +190,10 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) {
   const int foot = std::min(row + 1 + kSurfaceRows, grid_.rows() - 1);
   const Look floor = foot > row + 3 ? mean_look(column, row + 2, foot) : floor_.look();
   const Eigen::Vector3d floor_bgr =
-      foot > row + 3 ? mean_colour(column, row + 2, foot) : grid_.colour_of(floor);
-  if (!is_shade_of(floor_bgr, mean_colour(column, settled - kSurfaceRows + 1, settled), careful))
+      foot > row + 3 ? mean_colour(column, row + 2, foot) : PictureGrid::colour_of(floor);
+  const bool known_light = lights_.is_change(floor, shade);
+  if (!known_light &&
+      !is_shade_of(floor_bgr, mean_colour(column, settled - kSurfaceRows + 1, settled), careful))
     return obstacle;
   Surface surface{.look = {}, .lighter = shade.light - floor.light};
   surface.look.start(shade);
@@ -215,6 +217,10 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) {
   if (lit_again || is_floor(next)) {
     cross(row, end, false, false);
     return {true, beyond};
+  }
+  if (known_light) {
+    cross(row, end, false, false);
+    return {false, end};
   }
   // No shade is lighter than the floor has been in this column, but a skirting board is, and a darker one may
   // share the colour of a floor that has hardly any; a deeper band is lit floor beyond the shade.

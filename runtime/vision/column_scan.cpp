@@ -9,6 +9,10 @@ namespace {
 constexpr int kWalkAlarm = 6;        // evidence for "not floor" that stops the walk
 constexpr int kRowsPastHorizon = 6;  // the floor's look so far above the horizon is no floor
 constexpr int kFootRows = 12;
+constexpr double kToneSigmas = 0.8;  // of a cell, a smoothed look's colour may wander
+constexpr int kToneLeast = 2;
+constexpr int kToneMost = 12;
+constexpr int kFloorShows = 4;  // rows that tell the light at a column's foot
 
 }  // namespace
 
@@ -46,15 +50,26 @@ Eigen::Vector3d ColumnScan::mean_colour(int column, int from, int to) const {
 ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& start) {
   floor_.start(start);
   foot_ = start;
-  brightest_ = std::max(start.light, home_light_);
+  brightest_ = std::max({start.light, home_light_, lights_.brightest()});
   crossed_.crossing_count = 0;
   if (span.bottom_row < 0) return {};
   if (span.horizon_row >= span.bottom_row) return {.end = ColumnResult::End::above_horizon};
   const int top = std::max(span.top_row, span.horizon_row - kRowsPastHorizon);
+  const Look foot = mean_look(column, span.bottom_row - kFloorShows + 1, span.bottom_row);
+  if (!is_floor(foot)) {
+    if (const auto light = lights_.of(foot)) floor_.start(*light), foot_ = *light;
+  }
   int evidence = 0;
   int first_odd = span.bottom_row;
+  tone_.start(foot_);
+  const int tone_tolerance =
+      std::clamp(static_cast<int>(std::lround(kToneSigmas * texture_.colour_sigma)), kToneLeast, kToneMost);
   for (int row = span.bottom_row; row >= top; row -= row > scale_.coarse_row ? 2 : 1) {
     const Look look = grid_.look(column, row);
+    const int begin = tone_.see(look, row, tone_tolerance);
+    if (begin >= 0 && !is_vivid_ && has_other_tone(column, std::min(begin, span.bottom_row), row)) {
+      return with_crossings(refined(column, begin, span));
+    }
     const int odd = floor_.oddness(look, tolerance_);
     if (odd == 0 || is_known(look)) {
       evidence = std::max(0, evidence - 1);
@@ -70,11 +85,24 @@ ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& sta
     if (!verdict.floor_goes_on) return with_crossings(refined(column, verdict.row, span));
     row = verdict.row;
     evidence = 0;
+    tone_.start(floor_.look());
   }
   if (span.horizon_row >= span.top_row + kRowsPastHorizon / 2)
     return with_crossings(from_above(column, span, top));
   return with_crossings({.end = ColumnResult::End::floor_to_top,
                          .row = (span.horizon_row < 0 ? span.top_row - 1 : span.horizon_row) + 0.5});
+}
+
+/// Whether what began at `begin` is a thing of another colour: too high for a line or a joint, no shade, and
+/// no colour that the floor has had.
+bool ColumnScan::has_other_tone(int column, int begin, int row) const {
+  constexpr int kRows = 8;
+  constexpr double kThing_m = 0.035;
+  if (begin - row < kRows || as_obstacle_m(begin, row) < kThing_m) return false;
+  if (tones_.knows(tone_.mean())) return false;
+  const Eigen::Vector3d below = mean_colour(column, begin + 2, begin + 1 + kRows);
+  const Eigen::Vector3d above = mean_colour(column, row, begin - 2);
+  return !is_shade_of(below, above, true);
 }
 
 /// The first row of what raised the alarm at `row`: a speck below it, with floor between, is not its own.

@@ -2,9 +2,11 @@
 #include <array>
 #include <vector>
 
+#include "vision/floor_lights.h"
 #include "vision/floor_looks.h"
 #include "vision/look_follower.h"
 #include "vision/picture_grid.h"
+#include "vision/tone_watch.h"
 
 namespace mirada::vision {
 
@@ -68,8 +70,9 @@ constexpr double kCareful_m = 1.0;  ///< so near that doubt is dangerous
 /// judged: joints, painted lines and shade are crossed, the rest is an obstacle.
 class ColumnScan {
  public:
-  ColumnScan(const PictureGrid& grid, const FloorLooks& looks, const RowScale& scale)
-      : grid_(grid), looks_(looks), scale_(scale) {}
+  ColumnScan(const PictureGrid& grid, const FloorLooks& looks, const FloorLights& lights,
+             const FloorTones& tones, const RowScale& scale)
+      : grid_(grid), looks_(looks), lights_(lights), tones_(tones), scale_(scale) {}
 
   /// `home` is the main look of the floor where `looks` was learnt.
   void prepare(const FloorTexture& texture, const Look& home, const ScanSettings& settings);
@@ -109,6 +112,7 @@ class ColumnScan {
   bool is_on(const LookFollower& surface, int lighter, const Look& look) const {
     return surface.oddness(look, tolerance_) == 0 || is_known({look.light - lighter, look.red, look.blue});
   }
+  bool has_other_tone(int column, int begin, int row) const;
   bool is_shade_of(const Eigen::Vector3d& floor_bgr, const Eigen::Vector3d& bgr, bool careful) const;
   /// Means over rows of a column.
   Eigen::Vector3d mean_colour(int column, int from, int to) const;
@@ -144,11 +148,14 @@ class ColumnScan {
 
   const PictureGrid& grid_;
   const FloorLooks& looks_;
+  const FloorLights& lights_;
+  const FloorTones& tones_;
   const RowScale& scale_;
   ScanSettings settings_;
   FloorTexture texture_;
   Tolerance tolerance_;
   LookFollower floor_;
+  ToneWatch tone_;
   bool is_colourful_ = false;
   bool is_vivid_ = false;  ///< so colourful that nothing else shares its colour by chance
   int home_light_ = 0;

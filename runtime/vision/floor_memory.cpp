@@ -18,6 +18,7 @@ constexpr int kFadeEvery = 16;
 constexpr int kLostPictures = 10;
 constexpr double kLostMove_m = 0.15;
 constexpr double kLostTurn_rad = 0.35;
+constexpr double kLightMove_m = 0.05;
 
 bool moved(const Pose2& a, const Pose2& b, double by_m, double by_rad) {
   return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m) > by_m ||
@@ -81,6 +82,8 @@ bool plausible(const std::vector<ColumnResult>& results) {
 
 void FloorMemory::forget() {
   looks_.clear();
+  lights_.forget();
+  tones_.clear();
   trusted_ = false;
   lost_pictures_ = blind_pictures_ = 0;
 }
@@ -132,16 +135,20 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
     if (!shows_floor) return false;
     looks_.clear();
     study_.teach(looks_);
+    study_.teach(tones_);
     home_ = study_.main_look();
+    lights_.start(home_);
     texture_ = study_.texture();
   }
-  ColumnScan column_scan(grid, looks_, scale);
+  ColumnScan column_scan(grid, looks_, lights_, tones_, scale);
   column_scan.prepare(texture_, home_, settings);
+  if (!first && shows_floor) see_lights(grid, spans, scale, place, column_scan);
   scan_columns(grid, spans, scale, home_, column_scan, results);
   if (first) {
     // What this picture alone shows of a floor's other colours.
     if (learn_patches(grid, results)) scan_columns(grid, spans, scale, home_, column_scan, results);
     trusted_ = plausible(results);
+    if (trusted_) see_crossed_lights(grid, results);
     return trusted_;
   }
   if (blind_all_round(results, place) && shows_floor && is_in_other_light()) {
@@ -161,6 +168,7 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
     return false;
   }
   can_learn_ = shows_floor && plausible(results);
+  if (can_learn_) see_crossed_lights(grid, results);
   return true;
 }
 
@@ -188,7 +196,9 @@ void FloorMemory::learn(const PictureGrid& grid, const std::vector<ColumnSpan>& 
   if (++pictures_since_fade_ >= kFadeEvery) {
     pictures_since_fade_ = 0;
     looks_.fade();
+    tones_.fade();
   }
+  learn_tones(grid, spans, scale, results);
   const double limit_m = scale.depth_m.back() + kLearnTo_m;
   Look sum{0, 0, 0};
   int count = 0;
@@ -209,6 +219,73 @@ void FloorMemory::learn(const PictureGrid& grid, const std::vector<ColumnSpan>& 
     }
   }
   if (count > 0) home_ = {sum.light / count, sum.red / count, sum.blue / count};
+}
+
+void FloorMemory::learn_tones(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
+                              const RowScale& scale, const std::vector<ColumnResult>& results) {
+  constexpr int kRows = 4;
+  const double limit_m = scale.depth_m.back() + kLearnTo_m;
+  for (std::size_t i = 2; i < results.size(); i += 5) {
+    if (results[i].end != ColumnResult::End::boundary && results[i].end != ColumnResult::End::floor_to_top)
+      continue;
+    const int top = static_cast<int>(results[i].row) + 8;
+    for (int row = spans[i].bottom_row - 4; row > top; row -= 3 * kRows) {
+      if (scale.depth_m[static_cast<std::size_t>(row)] > limit_m) break;
+      if (in_doubt(results[i], row)) continue;
+      Look sum{0, 0, 0};
+      for (int r = row; r > row - kRows; --r) {
+        const Look look = grid.look(static_cast<int>(i), r);
+        sum = {sum.light + look.light, sum.red + look.red, sum.blue + look.blue};
+      }
+      tones_.add({sum.light / kRows, sum.red / kRows, sum.blue / kRows}, 4);
+    }
+  }
+}
+
+bool FloorMemory::is_elsewhere(const Place& place) const {
+  return moved(place.X_OR, light_seen_.X_OR, kLightMove_m, kLostTurn_rad) ||
+         std::abs(place.neck.pan_rad - light_seen_.neck.pan_rad) > kLostTurn_rad;
+}
+
+/// What was crossed in many columns side by side as the floor in another light is one of its lights.
+void FloorMemory::see_crossed_lights(const PictureGrid& grid, const std::vector<ColumnResult>& results) {
+  constexpr int kBin = 12;
+  constexpr int kEnoughColumns = 15;
+  struct Sum {
+    int light = 0, red = 0, blue = 0, count = 0;
+  };
+  std::array<Sum, 256 / kBin + 1> sums{};
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    for (int k = 0; k < results[i].crossing_count; ++k) {
+      const ColumnResult::Crossing& c = results[i].crossings[static_cast<std::size_t>(k)];
+      if (c.patch || c.doubtful || c.upright_m < 0.02F) continue;
+      const Look look = grid.look(static_cast<int>(i), (c.from_row + c.to_row) / 2);
+      Sum& sum = sums[static_cast<std::size_t>(std::clamp(look.light, 0, 255) / kBin)];
+      sum = {sum.light + look.light, sum.red + look.red, sum.blue + look.blue, sum.count + 1};
+    }
+  }
+  for (const Sum& sum : sums) {
+    if (sum.count < kEnoughColumns) continue;
+    const Look look{sum.light / sum.count, sum.red / sum.count, sum.blue / sum.count};
+    lights_.see(look, FloorLights::How::beside_another);
+  }
+}
+
+/// The main look of what lies before the robot, in the floor's colour, is one of its lights if, walked from
+/// there, it gives way to other things below the horizon.
+void FloorMemory::see_lights(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
+                             const RowScale& scale, const Place& place, ColumnScan& scan) {
+  FloorLights with = lights_;
+  if (!with.see(study_.main_look(),
+                is_elsewhere(place) ? FloorLights::How::from_elsewhere : FloorLights::How::from_same_place)) {
+    lights_ = with;
+    return;
+  }
+  blind_results_.resize(spans.size());
+  scan_columns(grid, spans, scale, study_.main_look(), scan, blind_results_);
+  if (!plausible(blind_results_)) return;
+  lights_ = with;
+  light_seen_ = place;
 }
 
 /// What lies before the robot has the floor's colour in another light. Grey is everything's colour in some

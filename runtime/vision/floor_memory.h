@@ -36,11 +36,19 @@ class FloorMemory {
                     const Look& home, ColumnScan& scan, std::vector<ColumnResult>& results) const;
   bool learn_patches(const PictureGrid& grid, const std::vector<ColumnResult>& results);
   bool blind_all_round(const std::vector<ColumnResult>& results, const Place& place);
+  void see_lights(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
+                  const Place& place, ColumnScan& scan);
+  bool is_elsewhere(const Place& place) const;
+  void see_crossed_lights(const PictureGrid& grid, const std::vector<ColumnResult>& results);
+  void learn_tones(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
+                   const std::vector<ColumnResult>& results);
   bool is_in_other_light() const;
   bool is_lost(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
                const std::vector<ColumnResult>& results, const Place& place);
 
   FloorLooks looks_;
+  FloorLights lights_;
+  FloorTones tones_;
   FloorStudy study_;
   FloorTexture texture_;
   Look home_;  ///< the look at the picture's foot, followed
@@ -52,6 +60,7 @@ class FloorMemory {
   int blind_pictures_ = 0;
   Place blind_since_;
   std::vector<ColumnResult> blind_results_;
+  Place light_seen_;  ///< where the floor's newest light was seen last
   std::uint64_t fingerprint_ = 0;
   std::optional<Place> last_place_;
 };

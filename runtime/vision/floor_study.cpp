@@ -193,6 +193,26 @@ void FloorStudy::teach(FloorLooks& looks) const {
   teach_mixtures(looks);
 }
 
+/// The colours of a column's samples that follow one another in one group, smoothed.
+void FloorStudy::teach(FloorTones& tones) const {
+  constexpr int kMean = 4;
+  for (int i = 0; i < kColumns; ++i) {
+    Look sum{0, 0, 0};
+    int n = 0;
+    for (int j = 0; j < heights_[static_cast<std::size_t>(i)]; ++j) {
+      const Sample& s = samples_[static_cast<std::size_t>(i * kRows + j)];
+      const bool floor = s.group != kNoGroup && groups_[static_cast<std::size_t>(s.group)].floor;
+      const bool same = j > 0 && samples_[static_cast<std::size_t>(i * kRows + j - 1)].group == s.group;
+      if (!floor || !same) sum = {0, 0, 0}, n = 0;
+      if (!floor) continue;
+      sum = {sum.light + s.look.light, sum.red + s.look.red, sum.blue + s.look.blue};
+      if (++n < kMean) continue;
+      tones.add({sum.light / n, sum.red / n, sum.blue / n}, kWeightOfASample);
+      sum = {0, 0, 0}, n = 0;
+    }
+  }
+}
+
 /// Far away a pattern's colours run into each other.
 void FloorStudy::teach_mixtures(FloorLooks& looks) const {
   const auto mean = [](const Group& g) {

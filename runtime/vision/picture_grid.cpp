@@ -188,7 +188,7 @@ int PictureGrid::column_at(double u, double v) const {
   return u - middle(low) <= middle(high) - u ? low : high;
 }
 
-Eigen::Vector3d PictureGrid::colour_of(const Look& look) const {
+Eigen::Vector3d PictureGrid::colour_of(const Look& look) {
   const double red = look.red - 128;
   const double blue = look.blue - 128;
   const double green = look.light - (red + blue) / 4;

@@ -66,7 +66,7 @@ class PictureGrid {
   const std::uint8_t* pixel(int u_px, int row) const { return pixels_ + row_bytes_ * row + 3 * u_px; }
   int width_px() const { return bgr_.cols; }
   /// The B, G, R that a look stands for, 0..255.
-  Eigen::Vector3d colour_of(const Look& look) const;
+  static Eigen::Vector3d colour_of(const Look& look);
   /// Changes when any sampled pixel does: to notice a camera that repeats itself.
   std::uint64_t fingerprint() const;
 

@@ -51,7 +51,6 @@ struct VisualSonar::Impl {
   ObstacleHold hold;
   std::optional<GroundProjection> ground;
   NeckAngles prepared_neck;
-  bool careful = false;  ///< ScanSettings
   RowScale scale;
   std::vector<ColumnSpan> spans;
   std::vector<ColumnResult> results;
@@ -123,8 +122,7 @@ bool VisualSonar::Impl::scan_all(const Pose2& X_OR, const NeckAngles& neck) {
     }
     return true;
   }
-  careful = memory.knows_floor();
-  const ScanSettings scan{settings.lines_are_obstacles, careful};
+  const ScanSettings scan{settings.lines_are_obstacles, memory.knows_floor()};
   if (!memory.scan(grid, spans, scale, scan, X_OR, neck, results)) return false;
   hold.apply(grid, spans, *ground, X_OR, results);
   memory.learn(grid, spans, scale, results);
@@ -191,10 +189,7 @@ void VisualSonar::Impl::find_edges() {
     const bool left_nearer = left.end_R_m.squaredNorm() < right.end_R_m.squaredNorm();
     const int column = static_cast<int>(i) + (left_nearer ? 0 : 1);
     const int beside = static_cast<int>(i) + (left_nearer ? 1 : 0);
-    const double row = results[static_cast<std::size_t>(column)].row;
-    const bool near =
-        scale.depth_m[static_cast<std::size_t>(std::clamp(row, 0.0, grid.rows() - 1.0))] < kCareful_m;
-    const double share = careful && near ? 1 : thing_edge(grid, column, beside, row);
+    const double share = thing_edge(grid, column, beside, results[static_cast<std::size_t>(column)].row);
     left.edge = left_nearer ? share : 1 - share;
   }
 }

@@ -23,7 +23,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kBadInput = 2;
-constexpr std::size_t kWorstPictures = 12;
 
 struct LabOptions {
   std::vector<std::string> floors = {"carpet", "wood", "tiles", "concrete", "grass"};
@@ -37,6 +36,7 @@ struct LabOptions {
   std::string plot;
   std::string floor_method = "learnt";
   bool lines_are_obstacles = false;
+  std::size_t worst = 12;
   bool json = false;
   std::string lang = "en";
 
@@ -95,7 +95,7 @@ int report(const std::vector<rig::LabSample>& samples, const LabOptions& options
     const Status drawn = write_file_atomically(options.plot, rig::svg_plot(tables));
     if (!drawn) return refuse(drawn.faults(), options);
   }
-  tables.push_back(rig::worst_pictures(samples, kWorstPictures));
+  tables.push_back(rig::worst_pictures(samples, options.worst));
   if (options.json) {
     Json out = {{"mount", options.mount_errors ? "by_chance" : "exact"}, {"tables", Json::array()}};
     for (const rig::LabTable& table : tables) {
@@ -181,6 +181,9 @@ void add_common(CLI::App& app, LabOptions& options) {
       ->check(CLI::IsMember({"learnt", "fixed-colour"}))
       ->capture_default_str();
   app.add_flag("--lines-are-obstacles", options.lines_are_obstacles, "A painted line ends the free floor");
+  app.add_option("--worst", options.worst, "How many of the worst pictures to list")
+      ->check(CLI::Range(0, 10'000))
+      ->capture_default_str();
   app.add_flag("--json", options.json, "The tables as JSON (shares from 0 to 1)");
   app.add_option("--plot", options.plot,
                  "Draw the errors by distance, bearing, floor and light to this .svg file");

@@ -1,0 +1,86 @@
+#include "vision/floor_lights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace mirada::vision {
+namespace {
+
+constexpr int kSameLight = 12;        // Look units
+constexpr int kColourReach = 20;      // farther apart, no noise makes it one colour
+constexpr double kSameColour = 0.07;  // by which the channels' factors may differ
+constexpr double kColourNoise = 1.5;  // of 255
+constexpr int kMostChange = 75;       // a factor of three
+constexpr int kEnoughPlaces = 2;
+
+/// All three channels differ by the same factor.
+bool same_colour(const Look& a, const Look& b) {
+  if (std::abs(a.red - b.red) > kColourReach || std::abs(a.blue - b.blue) > kColourReach) return false;
+  const Eigen::Array3d one = PictureGrid::colour_of(a).array().max(1);
+  const Eigen::Array3d other = PictureGrid::colour_of(b).array().max(1);
+  const Eigen::Array3d factor = one / other;
+  const double darkest = std::min(one.minCoeff(), other.minCoeff());
+  return factor.maxCoeff() <= factor.minCoeff() * (1 + kSameColour + kColourNoise / darkest);
+}
+
+bool is_same_light(const Look& a, const Look& b) {
+  return std::abs(a.light - b.light) <= kSameLight && same_colour(a, b);
+}
+
+int mixed(int before, int now) { return (3 * before + now) / 4; }
+
+}  // namespace
+
+void FloorLights::start(const Look& look) {
+  lights_[0] = {look, kEnoughPlaces};
+  count_ = 1;
+}
+
+FloorLights::Light* FloorLights::nearest(const Look& look) {
+  Light* best = nullptr;
+  for (std::size_t i = 0; i < count_; ++i) {
+    Light& light = lights_[i];
+    if (!is_same_light(light.look, look)) continue;
+    if (!best || std::abs(light.look.light - look.light) < std::abs(best->look.light - look.light))
+      best = &light;
+  }
+  return best;
+}
+
+bool FloorLights::see(const Look& look, How how) {
+  if (count_ == 0) return false;
+  if (Light* light = nearest(look)) {
+    const bool is_new = light->places < kEnoughPlaces;
+    if (how != How::from_same_place && is_new) light->places = kEnoughPlaces;
+    light->look = {mixed(light->look.light, look.light), mixed(light->look.red, look.red),
+                   mixed(light->look.blue, look.blue)};
+    return is_new;
+  }
+  const Look& first = lights_[0].look;
+  if (!same_colour(first, look) || std::abs(first.light - look.light) > kMostChange) return false;
+  if (count_ == kMost) --count_;
+  lights_[count_++] = {look, how == How::beside_another ? kEnoughPlaces : 1};
+  return true;
+}
+
+std::optional<Look> FloorLights::of(const Look& look) const {
+  for (std::size_t i = 0; i < count_; ++i)
+    if (lights_[i].places >= kEnoughPlaces && is_same_light(lights_[i].look, look)) return lights_[i].look;
+  return std::nullopt;
+}
+
+bool FloorLights::is_change(const Look& from, const Look& to) const {
+  const auto a = of(from);
+  const auto b = of(to);
+  return a && b && a->light != b->light;
+}
+
+int FloorLights::brightest() const {
+  int out = 0;
+  for (std::size_t i = 0; i < count_; ++i)
+    if (lights_[i].places >= kEnoughPlaces) out = std::max(out, lights_[i].look.light);
+  return out;
+}
+
+}  // namespace mirada::vision
