@@ -99,7 +99,7 @@ bool ColumnScan::has_other_tone(int column, int begin, int row) const {
   constexpr int kRows = 8;
   constexpr double kThing_m = 0.035;
   if (begin - row < kRows || as_obstacle_m(begin, row) < kThing_m) return false;
-  if (tones_.knows(tone_.mean())) return false;
+  if (!tone_.is_settled() || tones_.knows(tone_.mean())) return false;
   const Eigen::Vector3d below = mean_colour(column, begin + 2, begin + 1 + kRows);
   const Eigen::Vector3d above = mean_colour(column, row, begin - 2);
   return !is_shade_of(below, above, true);

@@ -19,10 +19,20 @@ constexpr int kLostPictures = 10;
 constexpr double kLostMove_m = 0.15;
 constexpr double kLostTurn_rad = 0.35;
 constexpr double kLightMove_m = 0.05;
+constexpr int kToneRows = 4;
 
 bool moved(const Pose2& a, const Pose2& b, double by_m, double by_rad) {
   return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m) > by_m ||
          std::abs(wrap_rad(a.heading_rad - b.heading_rad)) > by_rad;
+}
+
+Look mean_look(const PictureGrid& grid, int column, int row) {
+  Look sum{0, 0, 0};
+  for (int r = row; r > row - kToneRows; --r) {
+    const Look look = grid.look(column, r);
+    sum = {sum.light + look.light, sum.red + look.red, sum.blue + look.blue};
+  }
+  return {sum.light / kToneRows, sum.red / kToneRows, sum.blue / kToneRows};
 }
 
 /// A gap of one or two columns between nearer things is no way through; it is more often a column that was
@@ -184,6 +194,8 @@ bool FloorMemory::learn_patches(const PictureGrid& grid, const std::vector<Colum
       any = true;
       for (int row = c.from_row - 2; row > c.to_row + 2; row -= 2)
         looks_.add(grid.look(static_cast<int>(i), row), kPatchWeight);
+      for (int row = c.from_row - 2; row > c.to_row + 2 + kToneRows; row -= kToneRows)
+        tones_.add(mean_look(grid, static_cast<int>(i), row), kPatchWeight);
     }
     columns += any;
   }
@@ -223,21 +235,15 @@ void FloorMemory::learn(const PictureGrid& grid, const std::vector<ColumnSpan>& 
 
 void FloorMemory::learn_tones(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
                               const RowScale& scale, const std::vector<ColumnResult>& results) {
-  constexpr int kRows = 4;
   const double limit_m = scale.depth_m.back() + kLearnTo_m;
   for (std::size_t i = 2; i < results.size(); i += 5) {
     if (results[i].end != ColumnResult::End::boundary && results[i].end != ColumnResult::End::floor_to_top)
       continue;
     const int top = static_cast<int>(results[i].row) + 8;
-    for (int row = spans[i].bottom_row - 4; row > top; row -= 3 * kRows) {
+    for (int row = spans[i].bottom_row - 4; row > top; row -= 3 * kToneRows) {
       if (scale.depth_m[static_cast<std::size_t>(row)] > limit_m) break;
       if (in_doubt(results[i], row)) continue;
-      Look sum{0, 0, 0};
-      for (int r = row; r > row - kRows; --r) {
-        const Look look = grid.look(static_cast<int>(i), r);
-        sum = {sum.light + look.light, sum.red + look.red, sum.blue + look.blue};
-      }
-      tones_.add({sum.light / kRows, sum.red / kRows, sum.blue / kRows}, 4);
+      tones_.add(mean_look(grid, static_cast<int>(i), row), 4);
     }
   }
 }

@@ -42,11 +42,13 @@ class ToneWatch {
   void start(const Look& look) {
     slow_.start(look);
     fast_.start(look);
+    late_.start(look);
     begin_ = -1;
   }
   /// The row where another colour began, or -1 while there is none.
   int see(const Look& look, int row, int tolerance) {
     fast_.follow(look, kFast);
+    late_.follow(look, kLate);
     const Look fast = fast_.look();
     const Look slow = slow_.look();
     if (std::max(std::abs(fast.red - slow.red), std::abs(fast.blue - slow.blue)) <= tolerance) {
@@ -58,13 +60,22 @@ class ToneWatch {
     return begin_;
   }
   Look mean() const { return fast_.look(); }
+  /// Not on the way from one colour to the next.
+  bool is_settled() const {
+    const Look fast = fast_.look();
+    const Look late = late_.look();
+    return std::max(std::abs(fast.red - late.red), std::abs(fast.blue - late.blue)) <= kSettled;
+  }
 
  private:
   static constexpr int kFast = 4;
+  static constexpr int kLate = 8;
   static constexpr int kSlow = 32;
+  static constexpr int kSettled = 3;
   static constexpr int kLag = 3;  // rows until a change is noticed
   LookFollower slow_;
   LookFollower fast_;
+  LookFollower late_;
   int begin_ = -1;
 };
 
