@@ -239,6 +239,18 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) {
   return {false, end};
 }
 
+/// A painted line that is crossed aslant: no wider on the floor than lines are, whatever its depth along the
+/// column.
+bool ColumnScan::is_band(int column, int from_row, int to_row) const {
+  const int middle = (from_row + to_row) / 2;
+  const auto depth_m = [&](int row) { return scale_.depth_m[static_cast<std::size_t>(std::max(row, 0))]; };
+  const double deep_m = depth_m(to_row) - depth_m(from_row);
+  const double cell_m = depth_m(middle) / scale_.focal_cells;
+  const Width width = width_at(column, middle, static_cast<int>(3 * kWidestLine_m / cell_m));
+  const double wide_m = width.cells * cell_m;
+  return width.whole && deep_m * wide_m <= kWidestLine_m * std::hypot(deep_m, wide_m);
+}
+
 ColumnScan::Verdict ColumnScan::judge(int column, int row, int top) {
   if (settings_.lines_are_obstacles) return judge_shade(column, row, top);
   const int back = end_of_joint(column, row, top, nullptr, kJoint);
@@ -247,8 +259,8 @@ ColumnScan::Verdict ColumnScan::judge(int column, int row, int top) {
     return {true, back};
   }
   const bool careful = is_careful_at(row);
-  const int beyond = careful ? -1 : end_of_joint(column, row, top, nullptr, kPatch);
-  if (beyond >= 0) {
+  const int beyond = end_of_joint(column, row, top, nullptr, kPatch);
+  if (beyond >= 0 && (!careful || is_band(column, row, beyond + kPatch.floor_rows))) {
     const int end = beyond + kPatch.floor_rows;
     const bool smooth = !is_as_rough_as_floor(column, row - 1, end + 1, true);
     const bool shade =

@@ -137,6 +137,7 @@ class ColumnScan {
   Verdict judge_shade(int column, int row, int top);
   int end_of_surface(int column, int row, int top, Surface surface) const;
   int end_of_ramp(int column, int row, int top) const;
+  bool is_band(int column, int from_row, int to_row) const;
   struct Width {
     int cells;
     bool whole;  ///< floor on both sides; false: cut off by the picture's side

@@ -14,8 +14,21 @@ constexpr double kColourNoise = 1.5;  // of 255
 constexpr int kMostChange = 75;       // a factor of three
 constexpr int kEnoughPlaces = 2;
 
+/// A gloss puts white into a clear colour: what is left of it points the same way.
+bool is_glossy(const Look& a, const Look& b) {
+  constexpr int kClear = 15;
+  constexpr int kAside = 3;
+  const double ar = a.red - 128, ab = a.blue - 128, br = b.red - 128, bb = b.blue - 128;
+  const double one = std::hypot(ar, ab);
+  const double other = std::hypot(br, bb);
+  const double shared = ar * br + ab * bb;
+  return std::min(one, other) > kClear && shared > 0 &&
+         std::abs(ar * bb - ab * br) < kAside * std::max(one, other);
+}
+
 /// All three channels differ by the same factor.
 bool same_colour(const Look& a, const Look& b) {
+  if (is_glossy(a, b)) return true;
   if (std::abs(a.red - b.red) > kColourReach || std::abs(a.blue - b.blue) > kColourReach) return false;
   const Eigen::Array3d one = PictureGrid::colour_of(a).array().max(1);
   const Eigen::Array3d other = PictureGrid::colour_of(b).array().max(1);

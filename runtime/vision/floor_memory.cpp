@@ -281,9 +281,14 @@ void FloorMemory::see_crossed_lights(const PictureGrid& grid, const std::vector<
 /// there, it gives way to other things below the horizon.
 void FloorMemory::see_lights(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
                              const RowScale& scale, const Place& place, ColumnScan& scan) {
+  using How = FloorLights::How;
+  // Grey is everything's colour in some light.
+  const bool sure = has_colour(home_);
+  const How how = sure                  ? How::beside_another
+                  : is_elsewhere(place) ? How::from_elsewhere
+                                        : How::from_same_place;
   FloorLights with = lights_;
-  if (!with.see(study_.main_look(),
-                is_elsewhere(place) ? FloorLights::How::from_elsewhere : FloorLights::How::from_same_place)) {
+  if (!with.see(study_.main_look(), how)) {
     lights_ = with;
     return;
   }
