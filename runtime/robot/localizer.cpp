@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <Eigen/Dense>
+
+#include "robot/line_match.h"
 
 namespace mirada::robot {
 namespace {
@@ -24,6 +27,10 @@ constexpr double kUnknown_m = 0.6;
 constexpr double kUnknown_rad = rad(40);
 constexpr double kSlide_per_root_m = 0.01;
 constexpr double kMostBlind_m = 10;
+constexpr double kSureLine_m = 0.3;  // a shorter piece may be anything that is white
+constexpr int kStrangeLooks = 6;
+constexpr double kNewLook_m = 0.1;  // a look from nearly the same place tells nothing new
+constexpr double kNewLook_rad = rad(10);
 
 Matrix2d turn(double angle_rad) {
   const double c = std::cos(angle_rad);
@@ -52,7 +59,7 @@ void Localizer::put_down(const Pose2& X_OR) {
   begun_ = true;
   known_ = place_ && place_->X_PR_start;
   lost_ = false;
-  agreed_ = disagreed_ = 0;
+  agreed_ = disagreed_ = strange_ = 0;
   blind_m_ = 0;
   X_PR_ = known_ ? *place_->X_PR_start : Pose2{};
   covariance_ = Vector3d(kStart_m * kStart_m, kStart_m * kStart_m, kStart_rad * kStart_rad).asDiagonal();
@@ -102,7 +109,7 @@ void Localizer::see(const ThingsPercept& things) {
     if (!known_) {
       start_from(*seen);
     } else if (correct(*seen)) {
-      disagreed_ = 0;
+      disagreed_ = strange_ = 0;
       if (++agreed_ >= kAgreements) lost_ = false;
     } else {
       doubt(*seen);
@@ -123,7 +130,7 @@ bool Localizer::correct(const Sighting& seen) {
   const Vector3d change = gain * off;
   X_PR_ = {X_PR_.x_m + change.x(), X_PR_.y_m + change.y(), wrap_rad(X_PR_.heading_rad + change.z())};
   covariance_ = (Matrix3d::Identity() - gain * h) * covariance_;
-  covariance_ = (covariance_ + covariance_.transpose()) / 2;
+  covariance_ = (covariance_ + covariance_.transpose()).eval() / 2;
   blind_m_ = 0;
   return true;
 }
@@ -133,6 +140,59 @@ void Localizer::doubt(const Sighting& seen) {
   if (++disagreed_ < kDoubts) return;
   lost_ = true;
   start_from(seen);
+}
+
+void Localizer::see(const LinesPercept& lines) {
+  if (!known_) return;
+  const Pose2 X_RS = compose(inverse(X_OR_), lines.X_OR);
+  const Eigen::Rotation2Dd turned(X_RS.heading_rad);
+  const Vector2d p_RS_m(X_RS.x_m, X_RS.y_m);
+  std::map<int, LineSeen> longest;
+  const auto length_m = [](const LineSeen& line) { return (line.p_RB_m - line.p_RA_m).norm(); };
+  double fitting_m = 0, strange_m = 0;
+  for (LineSeen line : lines.lines) {
+    line.p_RA_m = p_RS_m + turned * line.p_RA_m;
+    line.p_RB_m = p_RS_m + turned * line.p_RB_m;
+    const LineMatch match = match_line(*place_, X_PR_, covariance_, line);
+    if (match.strange && length_m(line) >= kSureLine_m) strange_m += length_m(line);
+    if (!match.line) continue;
+    fitting_m += length_m(line);
+    const auto [it, first] = longest.emplace(*match.line, line);
+    if (!first && length_m(line) > length_m(it->second)) it->second = line;
+  }
+  judge_lines(fitting_m, strange_m);
+  if (lost_) return;
+  for (const auto& [line, seen] : longest) correct(line, seen);
+}
+
+void Localizer::judge_lines(double fitting_m, double strange_m) {
+  if (fitting_m == 0 && strange_m == 0) return;
+  const Pose2 way = compose(inverse(X_OR_judged_), X_OR_);
+  if (std::hypot(way.x_m, way.y_m) < kNewLook_m && std::abs(wrap_rad(way.heading_rad)) < kNewLook_rad) return;
+  X_OR_judged_ = X_OR_;
+  strange_ = std::max(strange_ + (strange_m > fitting_m ? 1 : -1), 0);
+  if (strange_ < kStrangeLooks) return;
+  lost_ = true;
+  agreed_ = strange_ = 0;
+}
+
+void Localizer::correct(int line, const LineSeen& seen) {
+  const LineError error = line_error(*place_, line, X_PR_, seen);
+  const Vector2d noise2(seen.across_sigma_m * seen.across_sigma_m,
+                        seen.angle_sigma_rad * seen.angle_sigma_rad);
+  Vector3d change = Vector3d::Zero();
+  for (const int row : {1, 0}) {
+    const Eigen::RowVector3d h = error.h.row(row);
+    const double belief2 = h.dot(covariance_ * h.transpose());
+    // Tilt and pan err alike in picture after picture: what is no better than the belief is no news.
+    if (belief2 <= noise2(row)) continue;
+    const Vector3d gain = covariance_ * h.transpose() / (belief2 + noise2(row));
+    change -= gain * (error.off(row) + h.dot(change));
+    covariance_ = (Matrix3d::Identity() - gain * h) * covariance_;
+    covariance_ = (covariance_ + covariance_.transpose()).eval() / 2;
+    if (row == 1) blind_m_ = 0;
+  }
+  X_PR_ = {X_PR_.x_m + change.x(), X_PR_.y_m + change.y(), wrap_rad(X_PR_.heading_rad + change.z())};
 }
 
 void Localizer::start_from(const Sighting& seen) {
@@ -149,7 +209,7 @@ void Localizer::start_from(const Sighting& seen) {
   covariance_.topLeftCorner<2, 2>() += place;
   covariance_(2, 2) += kBearing_rad * kBearing_rad;
   known_ = true;
-  agreed_ = disagreed_ = 0;
+  agreed_ = disagreed_ = strange_ = 0;
   blind_m_ = 0;
 }
 

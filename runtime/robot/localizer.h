@@ -9,10 +9,11 @@
 
 namespace mirada::robot {
 
-/// Where the robot is in a place (frame P): odometry, corrected by tags whose places are known. An extended
-/// Kalman filter over x, y and heading (Thrun, Burgard and Fox, *Probabilistic Robotics*, 7.4), with a gate:
-/// sightings that cannot be true where it believes to be make it say that it is lost, and it starts again
-/// from what it sees. Control thread.
+/// Where the robot is in a place (frame P): odometry, corrected by tags and painted lines whose places are
+/// known. An extended Kalman filter over x, y and heading (Thrun, Burgard and Fox, *Probabilistic Robotics*,
+/// 7.4), with a gate: sightings that cannot be true where it believes to be make it say that it is lost, and
+/// it starts again from the tags that it sees. Lines correct a pose that is known; they never give one, since
+/// one looks as another. Control thread.
 class Localizer {
  public:
   explicit Localizer(const DriveConfig& drive) : rates_(memory::drift_rates(drive)) {}
@@ -27,6 +28,8 @@ class Localizer {
   void moved(const Pose2& X_OR);
   /// Tags as they were seen.
   void see(const ThingsPercept& things);
+  /// Painted lines as they were seen.
+  void see(const LinesPercept& lines);
 
   struct Estimate {
     Pose2 X_PR;
@@ -49,6 +52,8 @@ class Localizer {
   bool correct(const Sighting& seen);
   void start_from(const Sighting& seen);
   void doubt(const Sighting& seen);
+  void correct(int line, const LineSeen& seen);
+  void judge_lines(double fitting_m, double strange_m);
 
   memory::DriftRates rates_;
   std::optional<Place> place_;
@@ -61,6 +66,8 @@ class Localizer {
   int agreed_ = 0;      ///< sightings in a row that fitted
   int disagreed_ = 0;   ///< sightings in a row that could not be
   double blind_m_ = 0;  ///< driven since the last sighting that fitted
+  int strange_ = 0;     ///< looks with lines that are on no map, less those with lines that are
+  Pose2 X_OR_judged_;   ///< where lines were judged last
 };
 
 }  // namespace mirada::robot

@@ -65,9 +65,14 @@ void Robot::remember_things() {
 void Robot::locate() {
   localizer_.moved(odometry_.X_OR);
   const ThingsPercept& things = perception_.percepts()->things;
-  if (things.frame == located_things_) return;
-  located_things_ = things.frame;
-  localizer_.see(things);
+  if (things.frame != located_things_) {
+    located_things_ = things.frame;
+    localizer_.see(things);
+  }
+  const LinesPercept& lines = perception_.percepts()->lines;
+  if (lines.frame == located_lines_) return;
+  located_lines_ = lines.frame;
+  if (history_.steady(lines.t_exposure)) localizer_.see(lines);
 }
 
 Recall Robot::obstacle_at(double bearing_rad) const {
@@ -96,7 +101,10 @@ double Robot::drift_since_start_m() const {
 }
 
 void Robot::need(Needs needs) {
-  if (needs.place && config_.place) needs.things = needs.frames = true;
+  if (needs.place && config_.place) {
+    needs.frames = true;
+    needs.things = needs.things || !config_.place->tags.empty();
+  }
   perception_.need(needs);
 }
 
