@@ -14,6 +14,7 @@ namespace mirada::robot {
 struct LineError {
   int line = 0;                   ///< of the place: its straight lines, then its circles
   Eigen::Vector2d off;            ///< across the map's line (m) and in direction (rad): zero where it is true
+  Eigen::Vector2d noise2;         ///< variances of `off`, by what the sight of the piece leaves uncertain
   Eigen::Matrix<double, 2, 3> h;  ///< how `off` changes with the robot's x, y and heading
 };
 
@@ -24,6 +25,10 @@ std::vector<LineError> line_errors(const Place& place, const Pose2& X_PR, const 
 
 /// The same to one line, however far it is.
 LineError line_error(const Place& place, int line, const Pose2& X_PR, const LineSeen& seen);
+
+/// Whether all of the piece lies on what was seen as floor from the same picture: a stripe on a post or a
+/// board's edge, taken for paint, lies beyond.
+bool on_seen_floor(const LineSeen& seen, const SonarPercept& sonar);
 
 /// The one line of the map that the piece can be: near enough by Mahalanobis' distance while every other is
 /// far. `strange`: it can be none.

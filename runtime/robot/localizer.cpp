@@ -178,15 +178,13 @@ void Localizer::judge_lines(double fitting_m, double strange_m) {
 
 void Localizer::correct(int line, const LineSeen& seen) {
   const LineError error = line_error(*place_, line, X_PR_, seen);
-  const Vector2d noise2(seen.across_sigma_m * seen.across_sigma_m,
-                        seen.angle_sigma_rad * seen.angle_sigma_rad);
   Vector3d change = Vector3d::Zero();
   for (const int row : {1, 0}) {
     const Eigen::RowVector3d h = error.h.row(row);
     const double belief2 = h.dot(covariance_ * h.transpose());
     // Tilt and pan err alike in picture after picture: what is no better than the belief is no news.
-    if (belief2 <= noise2(row)) continue;
-    const Vector3d gain = covariance_ * h.transpose() / (belief2 + noise2(row));
+    if (belief2 <= error.noise2(row)) continue;
+    const Vector3d gain = covariance_ * h.transpose() / (belief2 + error.noise2(row));
     change -= gain * (error.off(row) + h.dot(change));
     covariance_ = (Matrix3d::Identity() - gain * h) * covariance_;
     covariance_ = (covariance_ + covariance_.transpose()).eval() / 2;

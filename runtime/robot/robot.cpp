@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/line_match.h"
+
 namespace mirada::robot {
 namespace {
 constexpr std::size_t kMostNotes = 100;
@@ -69,10 +71,13 @@ void Robot::locate() {
     located_things_ = things.frame;
     localizer_.see(things);
   }
-  const LinesPercept& lines = perception_.percepts()->lines;
-  if (lines.frame == located_lines_) return;
-  located_lines_ = lines.frame;
-  if (history_.steady(lines.t_exposure)) localizer_.see(lines);
+  const Percepts& seen = *perception_.percepts();
+  if (seen.lines.frame == located_lines_ || seen.lines.frame != seen.sonar.frame) return;
+  located_lines_ = seen.lines.frame;
+  if (!history_.steady(seen.lines.t_exposure)) return;
+  LinesPercept lines = seen.lines;
+  std::erase_if(lines.lines, [&](const LineSeen& line) { return !on_seen_floor(line, seen.sonar); });
+  localizer_.see(lines);
 }
 
 Recall Robot::obstacle_at(double bearing_rad) const {
@@ -104,6 +109,7 @@ void Robot::need(Needs needs) {
   if (needs.place && config_.place) {
     needs.frames = true;
     needs.things = needs.things || !config_.place->tags.empty();
+    needs.sonar = needs.sonar || config_.place->has_lines();
   }
   perception_.need(needs);
 }

@@ -213,6 +213,32 @@ TEST_F(LocalizerLinesTest, white_things_that_are_on_no_map_do_not_make_it_lost) 
   EXPECT_FALSE(localizer_.estimate().lost);
 }
 
+TEST(LineError, a_long_arc_tells_less_of_the_direction_than_a_short_one) {
+  const Place place = field();
+  const LineError short_arc =
+      line_error(place, 5, {-1.2, 0, 0}, piece({-1.2, 0, 0}, {-0.5, -0.1}, {-0.5, 0.1}));
+  const LineError long_arc =
+      line_error(place, 5, {-1.2, 0, 0}, piece({-1.2, 0, 0}, {-0.5, -0.2}, {-0.5, 0.2}));
+  EXPECT_NEAR(std::sqrt(short_arc.noise2(1)), 0.1, 0.002);
+  EXPECT_NEAR(std::sqrt(long_arc.noise2(1)), 0.2, 0.002);
+}
+
+TEST(OnSeenFloor, a_piece_that_reaches_beyond_where_the_floor_ends_is_none) {
+  SonarPercept sonar;
+  for (int degree = -30; degree <= 30; ++degree) sonar.readings.push_back({rad(degree), Answer::clear, 2, 0});
+  const LineSeen across{{1, -0.3}, {1, 0.3}, 0.01, 0.01};
+  EXPECT_TRUE(on_seen_floor(across, sonar));
+  sonar.readings[40].distance_m = 0.9;  // at 10 degrees, a check at 8.5
+  EXPECT_TRUE(on_seen_floor(across, sonar));
+  for (int i = 35; i < 45; ++i)
+    sonar.readings[static_cast<std::size_t>(i)] = {rad(i - 30), Answer::blocked, 0.9, 0};
+  EXPECT_FALSE(on_seen_floor(across, sonar));
+  EXPECT_TRUE(on_seen_floor({{0.8, -0.3}, {0.8, 0.3}, 0.01, 0.01}, sonar));
+  for (SonarReading& reading : sonar.readings) reading.answer = Answer::not_seen;
+  EXPECT_FALSE(on_seen_floor(across, sonar));
+  EXPECT_FALSE(on_seen_floor(across, {}));
+}
+
 TEST(LineError, tells_how_it_changes_with_the_pose) {
   const Place place = field();
   const Pose2 X_PR{-0.9, 0.35, 0.4};
