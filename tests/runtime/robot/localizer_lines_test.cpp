@@ -104,10 +104,34 @@ TEST_F(LocalizerLinesTest, lines_keep_it_where_the_wheels_alone_go_astray) {
   EXPECT_LT(worst_m, 0.1);
   EXPECT_TRUE(localizer_.estimate().known);
 
+  localizer_ = Localizer{DriveConfig{}};
   sees_lines_ = false;
   begin({-1.2, -0.6, 0});
-  drive(1200);
-  EXPECT_GT(off_m(), 0.3);
+  double astray_m = 0;
+  for (int i = 0; i < 60; ++i) {
+    drive(20);
+    astray_m = std::max(astray_m, off_m());
+  }
+  EXPECT_GT(astray_m, 0.3);
+}
+
+TEST_F(LocalizerLinesTest, it_learns_how_unequal_wheels_turn_it_and_keeps_that_when_put_down_anew) {
+  const auto heading_off_rad = [&] {
+    return std::abs(wrap_rad(localizer_.estimate().X_PR.heading_rad - truth_.heading_rad));
+  };
+  sees_lines_ = false;
+  begin({-1.2, -0.6, 0});
+  drive(200);  // 4 m
+  EXPECT_GT(heading_off_rad(), rad(4));
+  const double unsure_rad = localizer_.estimate().sigma_rad;
+  sees_lines_ = true;
+  begin({-1.2, -0.6, 0});
+  drive(600);
+  sees_lines_ = false;
+  begin({-1.2, -0.6, 0});
+  drive(200);
+  EXPECT_LT(heading_off_rad(), rad(1.5));
+  EXPECT_LT(localizer_.estimate().sigma_rad, unsure_rad);
 }
 
 TEST_F(LocalizerLinesTest, a_line_tells_the_way_to_it_and_the_heading_but_nothing_along_it) {
