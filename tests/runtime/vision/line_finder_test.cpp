@@ -97,6 +97,33 @@ TEST_F(LineFinderTest, whatever_it_finds_lies_on_a_line) {
   EXPECT_GT(found, 30);
 }
 
+TEST_F(LineFinderTest, a_circle_is_found_in_pieces_that_lie_on_it) {
+  int found = 0;
+  for (const LineSeen& line : seen_from(field(5), {-1.15, 0, 0})) {
+    if (std::abs(line.p_RA_m.norm() - 0.6) > 0.05 || middle_m(line).x() > -0.1) continue;
+    ++found;
+    EXPECT_NEAR(middle_m(line).norm(), 0.6, 0.02);
+    EXPECT_LT(length_m(line), 0.5);
+  }
+  EXPECT_GE(found, 2);
+}
+
+TEST_F(LineFinderTest, a_tilt_that_is_badly_known_makes_a_line_ahead_uncertain) {
+  RobotConfig exact = robot_;
+  exact.mount.sigma_tilt_rad = exact.mount.sigma_height_m = exact.mount.sigma_pan_rad = 0;
+  LineFinder by_pixels(exact, 0.05, 0.05);
+  Frame frame;
+  frame.bgr = mirada::testing::render(field(6), robot_, {-0.8, 1.0, 0}, {});
+  const auto with_mount = finder_.find(frame, {}), without = by_pixels.find(frame, {});
+  ASSERT_FALSE(without.empty());
+  ASSERT_EQ(with_mount.size(), without.size());
+  const double height_m = robot_.X_RC({}).translation().z();
+  const double ahead_m = middle_m(without.front()).x() - robot_.X_RC({}).translation().x();
+  const double by_tilt_m = robot_.mount.sigma_tilt_rad * (ahead_m * ahead_m + height_m * height_m) / height_m;
+  EXPECT_LT(without.front().across_sigma_m, 0.01);
+  EXPECT_NEAR(with_mount.front().across_sigma_m, by_tilt_m, 0.3 * by_tilt_m);
+}
+
 TEST_F(LineFinderTest, a_band_of_another_width_is_no_line_that_is_looked_for) {
   LineFinder wide(robot_, 0.12, 0.12), narrow(robot_, 0.02, 0.02);
   Frame frame;
