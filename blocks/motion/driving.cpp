@@ -108,7 +108,7 @@ NativeResult my_place(robot::Robot& robot, NativeCall& call) {
   return my_place_from_start(robot, call.text(0));
 }
 
-/// By a map and its tags; without a map, never.
+/// By a map, its tags and its lines; without a map, never.
 NativeResult know_place(robot::Robot& robot, NativeCall&) {
   return NativeResult::of(robot.localizer().estimate().known);
 }

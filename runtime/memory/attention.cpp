@@ -10,9 +10,13 @@ namespace {
 constexpr double kStep_rad = rad(5);
 constexpr double kRim_rad = rad(3);  // the picture's rim is not counted on
 constexpr double kOldest_s = 6;
-constexpr double kSettle_s = 0.09;  // a picture of the new view and its answer
+constexpr double kGlance_s =
+    0.09;                        // a picture of the new view and its answer, while the way ahead matters most
+constexpr double kLook_s = 0.2;  // the same for whoever looks all round: fewer and wider moves
 constexpr double kNeedWidth_rad = rad(45);
 constexpr double kLeastNeed = 0.12;
+constexpr double kFrontHalf_rad = rad(86);
+constexpr double kNeedBehind = 0.3;  // whoever drives ahead seldom meets what stands there
 constexpr double kNear_m = 0.8;
 constexpr double kUsualSpeed_mps = 0.15;
 constexpr double kMostLead_rad = rad(50);
@@ -36,7 +40,9 @@ double worth(const VisualMemory& memory, const GazeRange& range, Watching watchi
   const double age_s = std::min(seconds(memory.look_age(bearing_rad)), kOldest_s);
   const double off_rad = std::abs(wrap_rad(bearing_rad - motion_rad(range)));
   const double share = off_rad / kNeedWidth_rad;
-  const double need = watching == Watching::around ? 1 : std::max(kLeastNeed, std::exp(-share * share));
+  const bool behind = std::abs(wrap_rad(bearing_rad)) > kFrontHalf_rad;
+  const double around = behind ? kNeedBehind : 1;
+  const double need = watching == Watching::around ? around : std::max(kLeastNeed, std::exp(-share * share));
   const double speed = std::min(std::abs(range.speed_mps) / kUsualSpeed_mps, 2.0);
   const Direction& known = memory.around().at(bearing_rad);
   const double close = known.answer == Answer::blocked && known.distance_m < kNear_m ? 0.5 : 0;
@@ -105,7 +111,7 @@ NextLook Attention::best(const VisualMemory& memory, const GazeRange& range) con
       unseen = unseen || memory.look_age(bearing_rad) >= VisualMemory::kNeverLooked;
     }
     const double travel_s = std::abs(pan - range.pan_now_rad) / std::max(range.pan.max_radps, 0.1);
-    const double rate = sum / (travel_s + kSettle_s);
+    const double rate = sum / (travel_s + (how == Watching::around ? kLook_s : kGlance_s));
     if (rate <= most) continue;
     most = rate;
     never = unseen;

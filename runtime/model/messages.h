@@ -66,6 +66,15 @@ inline constexpr Message preset_modes_missing{"preset_modes_missing",
                                               "{field} must list at least one picture mode.",
                                               "{field} debe tener al menos un modo de imagen."};
 
+inline constexpr Message point_needed{
+    "point_needed", "{field} must be a point [x, y] in metres, each from {min} to {max}, not {value}.",
+    "{field} debe ser un punto [x, y] en metros, cada uno de {min} a {max}, no {value}."};
+inline constexpr Message points_needed{"points_needed",
+                                       "{field} must be a list of {min} to {max} points [x, y].",
+                                       "{field} debe ser una lista de {min} a {max} puntos [x, y]."};
+inline constexpr Message points_or_circle{"points_or_circle", "{field} needs points or a circle.",
+                                          "{field} necesita points o circle."};
+
 inline constexpr Message place_unknown{
     "place_unknown", "I don't know the place {name}. Choose {known}, or give a place.json file.",
     "No conozco el lugar {name}. Elige {known}, o da un archivo place.json."};
@@ -78,5 +87,8 @@ inline constexpr Message place_tag_id{"place_tag_id",
 inline constexpr Message place_tag_twice{
     "place_tag_twice", "{field}: tag {value} is there twice. Each tag may hang at one place only.",
     "{field}: la etiqueta {value} está dos veces. Cada etiqueta solo puede estar en un sitio."};
+inline constexpr Message place_line_short{
+    "place_line_short", "{field} is {value} m from the point before it; it must be {min} m or more.",
+    "{field} está a {value} m del punto anterior; debe estar a {min} m o más."};
 
 }  // namespace mirada::messages

@@ -108,11 +108,27 @@ struct ThingsPercept {
   std::vector<ThingSeen> things;
 };
 
+/// A straight piece of a line painted on the floor, by its middle from A to B, in the robot's frame at the
+/// exposure. Sigmas of where its middle lies across it, and of its direction.
+struct LineSeen {
+  Eigen::Vector2d p_RA_m, p_RB_m;
+  double across_sigma_m = 0;
+  double angle_sigma_rad = 0;
+};
+
+struct LinesPercept {
+  std::uint64_t frame = 0;
+  Micros t_exposure = 0;
+  Pose2 X_OR;  ///< odometry at the exposure
+  std::vector<LineSeen> lines;
+};
+
 /// All that is perceived now. Immutable once published; blocks read the newest snapshot.
 struct Percepts {
   SonarPercept sonar;
   FacesPercept faces;
   ThingsPercept things;
+  LinesPercept lines;
 };
 
 }  // namespace mirada

@@ -9,19 +9,22 @@
 #include "base/json_reader.h"
 #include "base/units.h"
 #include "model/messages.h"
+#include "model/points.h"
 
 namespace mirada {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kFarthestInPlace_m = 50;
 constexpr int kMostTagId = 586;  // 36h11 has 587
 constexpr std::size_t kMostTags = 200;
+constexpr std::size_t kMostLines = 100;
+constexpr std::size_t kMostCorners = 50;
+constexpr double kShortestLine_m = 0.05;
 
 Pose2 read_pose_in_place(JsonReader& reader) {
   Pose2 out;
-  out.x_m = reader.number("x_m", -kFarthestInPlace_m, kFarthestInPlace_m);
-  out.y_m = reader.number("y_m", -kFarthestInPlace_m, kFarthestInPlace_m);
+  out.x_m = reader.number("x_m", -kFarthestPoint_m, kFarthestPoint_m);
+  out.y_m = reader.number("y_m", -kFarthestPoint_m, kFarthestPoint_m);
   out.heading_rad = rad(reader.number("heading_deg", -360, 360));
   return out;
 }
@@ -39,6 +42,34 @@ PlaceTag read_place_tag(JsonReader reader, const Place& place) {
   return out;
 }
 
+void read_straight_lines(JsonReader& reader, double width_m, std::vector<PlaceLine>& lines) {
+  const std::vector<Eigen::Vector2d> points_m = read_points(reader, "points", 2, kMostCorners);
+  if (points_m.size() != reader.json().at("points").size()) return;
+  for (std::size_t i = 1; i < points_m.size(); ++i) {
+    const double length_m = (points_m[i] - points_m[i - 1]).norm();
+    if (length_m < kShortestLine_m) {
+      reader.fault("points/" + std::to_string(i), messages::place_line_short,
+                   {{"value", number_text(length_m)}, {"min", number_text(kShortestLine_m)}});
+    }
+    lines.push_back({points_m[i - 1], points_m[i], width_m});
+  }
+}
+
+void read_place_line(JsonReader reader, Place& place) {
+  reader.only({"points", "circle", "width_m"});
+  const double width_m = reader.number_or("width_m", 0.01, 0.3, PlaceLine{}.width_m);
+  if (std::optional<JsonReader> circle = reader.object_if_present("circle")) {
+    circle->only({"x_m", "y_m", "radius_m"});
+    const double x_m = circle->number("x_m", -kFarthestPoint_m, kFarthestPoint_m);
+    const double y_m = circle->number("y_m", -kFarthestPoint_m, kFarthestPoint_m);
+    place.circles.push_back({{x_m, y_m}, circle->number("radius_m", 0.2, 20), width_m});
+  } else if (reader.has("points")) {
+    read_straight_lines(reader, width_m, place.lines);
+  } else {
+    reader.fault("points", messages::points_or_circle);
+  }
+}
+
 }  // namespace
 
 const PlaceTag* Place::tag(int tag_id) const {
@@ -51,7 +82,7 @@ Result<Place> read_place(std::string_view json_text, const std::string& file_nam
   if (!json) return json.faults();
   Faults faults;
   JsonReader root(*json, "", faults);
-  root.only({"format", "version", "id", "name", "tags", "start"});
+  root.only({"format", "version", "id", "name", "tags", "lines", "start"});
   Place out;
   const std::string format = root.text("format");
   if (!format.empty() && format != "mirada-place")
@@ -65,6 +96,7 @@ Result<Place> read_place(std::string_view json_text, const std::string& file_nam
     out.name_es = name->text_or("es", out.name_en);
   }
   for (JsonReader& tag : root.objects("tags", kMostTags)) out.tags.push_back(read_place_tag(tag, out));
+  for (JsonReader& line : root.objects("lines", kMostLines)) read_place_line(line, out);
   if (auto start = root.object_if_present("start")) {
     start->only({"x_m", "y_m", "heading_deg"});
     out.X_PR_start = read_pose_in_place(*start);

@@ -1,11 +1,14 @@
 #include "rig/detectors.h"
 
+#include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <optional>
 
 #include "vision/ball_finder.h"
 #include "vision/faces/face_watch.h"
+#include "vision/lines/line_finder.h"
 #include "vision/tags/tag_spotter.h"
 #include "vision/visual_sonar.h"
 
@@ -74,6 +77,19 @@ class ThingFinder {
   std::optional<vision::TagSpotter> tags_;
 };
 
+/// The lines of the place that the robot knows; null when it has none.
+std::shared_ptr<vision::LineFinder> line_finder(const RobotConfig& robot) {
+  if (!robot.place || !robot.place->has_lines()) return nullptr;
+  double narrowest_m = HUGE_VAL, widest_m = 0;
+  const auto widen = [&](double width_m) {
+    narrowest_m = std::min(narrowest_m, width_m);
+    widest_m = std::max(widest_m, width_m);
+  };
+  for (const PlaceLine& line : robot.place->lines) widen(line.width_m);
+  for (const PlaceCircle& circle : robot.place->circles) widen(circle.width_m);
+  return std::make_shared<vision::LineFinder>(robot, narrowest_m, widest_m);
+}
+
 }  // namespace
 
 robot::Detectors make_detectors(const RobotConfig& robot, const std::string& face_model,
@@ -93,6 +109,11 @@ robot::Detectors make_detectors(const RobotConfig& robot, const std::string& fac
   out.things = [things](const Frame& frame, const NeckAngles& neck, const Pose2& X_OR) {
     return things->find(frame, neck, X_OR);
   };
+  if (const auto lines = line_finder(robot)) {
+    out.lines = [lines](const Frame& frame, const NeckAngles& neck, const Pose2& X_OR) {
+      return LinesPercept{frame.number, frame.t_exposure, X_OR, lines->find(frame, neck)};
+    };
+  }
   out.forget_floor = [sonar] { sonar->forget(); };
   return out;
 }

@@ -17,6 +17,8 @@ struct Detectors {
   std::function<Result<FacesPercept>(const Frame&, const NeckAngles&, const Pose2&)> faces;
   /// Tags and balls.
   std::function<ThingsPercept(const Frame&, const NeckAngles&, const Pose2&)> things;
+  /// Lines painted on the floor; empty when it knows no place that has some.
+  std::function<LinesPercept(const Frame&, const NeckAngles&, const Pose2&)> lines;
   /// Whose faces are known; null = faces are not told apart. Any thread.
   std::shared_ptr<vision::FaceBook> book;
   /// Forgets the faces that are followed. Any thread.

@@ -45,6 +45,10 @@ void Perception::look(const Frame& frame, Micros now, const MotionHistory& histo
     const Micros due = timing_ == Timing::live ? now : now + latency_.sonar_us;
     things_due_.push_back({due, detectors_.things(frame, then.neck, then.X_OR)});
   }
+  if (needs_.place && detectors_.lines) {
+    const Micros due = timing_ == Timing::live ? now : now + latency_.sonar_us;
+    lines_due_.push_back({due, detectors_.lines(frame, then.neck, then.X_OR)});
+  }
   if (needs_.faces && detectors_.faces) look_for_faces(frame, now, then);
 }
 
@@ -84,6 +88,9 @@ void Perception::publish(Micros now) {
   for (; !things_due_.empty() && things_due_.front().at <= now; things_due_.pop_front()) {
     draft().things = std::move(things_due_.front().percept);
   }
+  for (; !lines_due_.empty() && lines_due_.front().at <= now; lines_due_.pop_front()) {
+    draft().lines = std::move(lines_due_.front().percept);
+  }
   if (next) percepts_ = std::move(next);
 }
 
@@ -93,6 +100,7 @@ void Perception::forget() {
   sonar_due_.clear();
   faces_due_.clear();
   things_due_.clear();
+  lines_due_.clear();
   percepts_ = std::make_shared<const Percepts>();
 }
 

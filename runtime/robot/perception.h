@@ -22,7 +22,7 @@ struct Needs {
   bool faces = false;
   bool memory = false;  ///< remember what is seen; wants sonar too
   bool things = false;  ///< tags and balls
-  bool place = false;   ///< where it is: tags, when it knows a place with some
+  bool place = false;   ///< where it is: tags and lines, when it knows a place with some
 
   bool any() const { return frames || sonar || faces || memory || things; }
   Needs operator|(const Needs& other) const {
@@ -81,6 +81,7 @@ class Perception {
   std::deque<Due<SonarPercept>> sonar_due_;
   std::deque<Due<FacesPercept>> faces_due_;
   std::deque<Due<ThingsPercept>> things_due_;
+  std::deque<Due<LinesPercept>> lines_due_;
   std::optional<Fault> faces_trouble_;
   std::unique_ptr<FaceWorker> face_worker_;
 };

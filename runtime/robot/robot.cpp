@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/line_match.h"
+
 namespace mirada::robot {
 namespace {
 constexpr std::size_t kMostNotes = 100;
@@ -65,9 +67,17 @@ void Robot::remember_things() {
 void Robot::locate() {
   localizer_.moved(odometry_.X_OR);
   const ThingsPercept& things = perception_.percepts()->things;
-  if (things.frame == located_things_) return;
-  located_things_ = things.frame;
-  localizer_.see(things);
+  if (things.frame != located_things_) {
+    located_things_ = things.frame;
+    localizer_.see(things);
+  }
+  const Percepts& seen = *perception_.percepts();
+  if (seen.lines.frame == located_lines_ || seen.lines.frame != seen.sonar.frame) return;
+  located_lines_ = seen.lines.frame;
+  if (!history_.steady(seen.lines.t_exposure)) return;
+  LinesPercept lines = seen.lines;
+  std::erase_if(lines.lines, [&](const LineSeen& line) { return !on_seen_floor(line, seen.sonar); });
+  localizer_.see(lines);
 }
 
 Recall Robot::obstacle_at(double bearing_rad) const {
@@ -96,7 +106,11 @@ double Robot::drift_since_start_m() const {
 }
 
 void Robot::need(Needs needs) {
-  if (needs.place && config_.place) needs.things = needs.frames = true;
+  if (needs.place && config_.place) {
+    needs.frames = true;
+    needs.things = needs.things || !config_.place->tags.empty();
+    needs.sonar = needs.sonar || config_.place->has_lines();
+  }
   perception_.need(needs);
 }
 

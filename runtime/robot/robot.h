@@ -115,6 +115,7 @@ class Robot {
   std::uint64_t remembered_things_ = 0;
   std::uint64_t remembered_faces_ = 0;
   std::uint64_t located_things_ = 0;
+  std::uint64_t located_lines_ = 0;
   hal::Odometry odometry_;
   std::vector<Note> notes_;
 };

@@ -84,6 +84,15 @@ void RunHash::percepts(const Percepts& percepts) {
       number(thing.distance_m, kMetre);
     }
   }
+  if (percepts.lines.frame != lines_frame_) {
+    lines_frame_ = percepts.lines.frame;
+    impl_->add('L');
+    impl_->add(percepts.lines.t_exposure);
+    for (const LineSeen& line : percepts.lines.lines) {
+      for (const double value : {line.p_RA_m.x(), line.p_RA_m.y(), line.p_RB_m.x(), line.p_RB_m.y()})
+        number(value, kMetre);
+    }
+  }
   if (percepts.faces.frame == faces_frame_) return;
   faces_frame_ = percepts.faces.frame;
   impl_->add('F');

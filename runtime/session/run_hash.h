@@ -31,6 +31,7 @@ class RunHash {
   std::uint64_t sonar_frame_ = 0;
   std::uint64_t faces_frame_ = 0;
   std::uint64_t things_frame_ = 0;
+  std::uint64_t lines_frame_ = 0;
 };
 
 }  // namespace mirada::session

@@ -12,14 +12,6 @@ inline constexpr Message world_format{
 inline constexpr Message colour_needed{"colour_needed",
                                        "{field} must be a colour like \"#c08040\", not {value}.",
                                        "{field} debe ser un color como \"#c08040\", no {value}."};
-inline constexpr Message point_needed{
-    "point_needed", "{field} must be a point [x, y] in metres, each from {min} to {max}.",
-    "{field} debe ser un punto [x, y] en metros, cada uno de {min} a {max}."};
-inline constexpr Message points_needed{"points_needed",
-                                       "{field} must be a list of {min} to {max} points [x, y].",
-                                       "{field} debe ser una lista de {min} a {max} puntos [x, y]."};
-inline constexpr Message points_or_circle{"points_or_circle", "{field} needs points or a circle.",
-                                          "{field} necesita points o circle."};
 inline constexpr Message bounds_empty{
     "bounds_empty", "{field}: the room must be from {min} to {max} m long and wide; it is {value}.",
     "{field}: la sala debe medir de {min} a {max} m de largo y de ancho; mide {value}."};

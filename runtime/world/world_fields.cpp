@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/messages.h"
+#include "model/points.h"
 #include "world/messages.h"
 
 namespace mirada::world {
@@ -32,16 +34,6 @@ bool is_colour(const std::string& text) {
   return true;
 }
 
-bool is_point(const json& value) {
-  if (!value.is_array() || value.size() != 2) return false;
-  for (const json& number : value) {
-    if (!number.is_number()) return false;
-    const double metres = number.get<double>();
-    if (!std::isfinite(metres) || std::abs(metres) > kFarthest_m) return false;
-  }
-  return true;
-}
-
 template <class Look>
 Look look_of(JsonReader& reader, std::initializer_list<std::string_view> names) {
   if (!reader.has("look")) return static_cast<Look>(0);
@@ -56,8 +48,8 @@ Look look_of(JsonReader& reader, std::initializer_list<std::string_view> names) 
 
 std::vector<Vector2d> circle_points(JsonReader circle) {
   circle.only({"x_m", "y_m", "radius_m"});
-  const double x = circle.number("x_m", -kFarthest_m, kFarthest_m);
-  const double y = circle.number("y_m", -kFarthest_m, kFarthest_m);
+  const double x = circle.number("x_m", -kFarthestPoint_m, kFarthestPoint_m);
+  const double y = circle.number("y_m", -kFarthestPoint_m, kFarthestPoint_m);
   const double radius = circle.number("radius_m", 0.02, 20);
   constexpr int kSides = 64;
   std::vector<Vector2d> out;
@@ -94,32 +86,10 @@ Colour read_colour(JsonReader& reader, std::string_view field, Colour fallback) 
   return {channel(1), channel(3), channel(5)};
 }
 
-std::vector<Vector2d> read_points(JsonReader& reader, std::string_view field, std::size_t min,
-                                  std::size_t max) {
-  if (!reader.has(field) && min == 0) return {};
-  const json* list = reader.has(field) ? &reader.json().at(std::string(field)) : nullptr;
-  if (!list || !list->is_array() || list->size() < min || list->size() > max) {
-    reader.fault(field, messages::points_needed,
-                 {{"min", std::to_string(min)}, {"max", std::to_string(max)}});
-    return {};
-  }
-  std::vector<Vector2d> out;
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const json& value = (*list)[i];
-    if (is_point(value)) {
-      out.emplace_back(value[0].get<double>(), value[1].get<double>());
-    } else {
-      reader.fault(std::string(field) + "/" + std::to_string(i), messages::point_needed,
-                   {{"min", number_text(-kFarthest_m)}, {"max", number_text(kFarthest_m)}});
-    }
-  }
-  return out;
-}
-
 Pose2 read_pose(JsonReader& reader) {
   Pose2 out;
-  out.x_m = reader.number("x_m", -kFarthest_m, kFarthest_m);
-  out.y_m = reader.number("y_m", -kFarthest_m, kFarthest_m);
+  out.x_m = reader.number("x_m", -kFarthestPoint_m, kFarthestPoint_m);
+  out.y_m = reader.number("y_m", -kFarthestPoint_m, kFarthestPoint_m);
   out.heading_rad = rad(reader.number_or("heading_deg", -360, 360, 0));
   return out;
 }
@@ -149,7 +119,7 @@ LineConfig read_line(JsonReader reader) {
   } else if (reader.has("points")) {
     out.points_m = read_points(reader, "points", 2, 1000);
   } else {
-    reader.fault("points", messages::points_or_circle);
+    reader.fault("points", mirada::messages::points_or_circle);
   }
   out.width_m = reader.number_or("width_m", 0.005, 1, out.width_m);
   out.colour = read_colour(reader, "colour", out.colour);

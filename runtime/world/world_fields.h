@@ -1,22 +1,13 @@
 #pragma once
 #include <string_view>
-#include <vector>
-
-#include <Eigen/Core>
 
 #include "base/json_reader.h"
 #include "world/world_config.h"
 
 namespace mirada::world {
 
-/// Positions in a room file lie within this many metres of the origin.
-inline constexpr double kFarthest_m = 50;
-
 /// "#rrggbb"; `fallback` when the field is absent.
 Colour read_colour(JsonReader& reader, std::string_view field, Colour fallback);
-/// A list of [x, y] points; empty when the field is absent or broken.
-std::vector<Eigen::Vector2d> read_points(JsonReader& reader, std::string_view field, std::size_t min,
-                                         std::size_t max);
 /// x_m, y_m (needed) and heading_deg (0 when absent).
 Pose2 read_pose(JsonReader& reader);
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/json_reader.h"
+#include "model/points.h"
 #include "world/messages.h"
 #include "world/shapes.h"
 #include "world/world_config.h"
@@ -18,10 +19,10 @@ constexpr double kLeastStartRoom_m = 0.2;
 Bounds read_bounds(JsonReader reader) {
   reader.only({"min_x_m", "min_y_m", "max_x_m", "max_y_m"});
   Bounds out;
-  out.min_x_m = reader.number("min_x_m", -kFarthest_m, kFarthest_m);
-  out.min_y_m = reader.number("min_y_m", -kFarthest_m, kFarthest_m);
-  out.max_x_m = reader.number("max_x_m", -kFarthest_m, kFarthest_m);
-  out.max_y_m = reader.number("max_y_m", -kFarthest_m, kFarthest_m);
+  out.min_x_m = reader.number("min_x_m", -kFarthestPoint_m, kFarthestPoint_m);
+  out.min_y_m = reader.number("min_y_m", -kFarthestPoint_m, kFarthestPoint_m);
+  out.max_x_m = reader.number("max_x_m", -kFarthestPoint_m, kFarthestPoint_m);
+  out.max_y_m = reader.number("max_y_m", -kFarthestPoint_m, kFarthestPoint_m);
   const double least = std::min(out.max_x_m - out.min_x_m, out.max_y_m - out.min_y_m);
   const double most = std::max(out.max_x_m - out.min_x_m, out.max_y_m - out.min_y_m);
   if (least < 0.5 || most > 30) {

@@ -70,7 +70,8 @@ FirstSight run_first_sight(std::uint64_t seed, const std::string& watching) {
   const session::RunReport report = rig::run_lockstep(watch_program(watching), options);
   run.hash = report.hash;
   if (report.say.empty()) return run;
-  const double after_s = seconds(report.say.front().t) - run.placed_s;
+  // The program ends with what it says; a say's own time counts from the program's start.
+  const double after_s = report.simulated_s - run.placed_s;
   run.imagined = after_s < 0;
   if (!run.imagined) run.after_s = after_s;
   return run;

@@ -1,103 +1,69 @@
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <map>
-
 #include <gtest/gtest.h>
 
-#include "base/files.h"
-#include "rig/lockstep.h"
+#include "where_run.h"
 
 namespace mirada::scenarios {
 namespace {
 
-// A program that roams and says every half second where it believes to be.
-constexpr const char* kRoamAndTell =
-    R"({"format": "mirada-program", "version": 1, "name": "where", "packs": ["events", "control", "motion", "operators", "say"],
- "workspace": {"blocks": {"blocks": [
-  {"type": "event_whenflagclicked", "id": "a", "next": {"block": {"type": "motion_drive_and_avoid", "id": "b"}}},
-  {"type": "event_whenflagclicked", "id": "c", "next": {"block": {"type": "control_forever", "id": "d", "inputs": {"SUBSTACK": {"block":
-   {"type": "looks_say", "id": "e", "inputs": {"MESSAGE": {"block": {"type": "operator_join", "id": "f", "inputs": {
-     "STRING1": {"block": {"type": "motion_my_place", "id": "g", "fields": {"WHAT": "x"}}},
-     "STRING2": {"block": {"type": "operator_join", "id": "h", "inputs": {
-       "STRING1": {"shadow": {"type": "text", "id": "t1", "fields": {"TEXT": " "}}},
-       "STRING2": {"block": {"type": "operator_join", "id": "i", "inputs": {
-         "STRING1": {"block": {"type": "motion_my_place", "id": "j", "fields": {"WHAT": "y"}}},
-         "STRING2": {"block": {"type": "operator_join", "id": "k", "inputs": {
-           "STRING1": {"shadow": {"type": "text", "id": "t2", "fields": {"TEXT": " "}}},
-           "STRING2": {"block": {"type": "motion_know_place", "id": "l"}}}}}}}}}}}}}}},
-    "next": {"block": {"type": "control_wait", "id": "m", "inputs": {"DURATION": {"shadow": {"type": "math_positive_number", "id": "t3", "fields": {"NUM": 0.5}}}}}}}}}}}}
- ]}}})";
-
-struct Told {
-  Micros t;
-  double x_m, y_m;
-  bool known;
-};
-
-std::vector<Told> told(const session::RunReport& report) {
-  std::vector<Told> out;
-  for (const auto& line : report.say) {
-    double x = 0, y = 0;
-    char word[16] = {};
-    if (std::sscanf(line.text.c_str(), "%lf %lf %15s", &x, &y, word) == 3)
-      out.push_back({line.t, x / 100, y / 100, std::string(word) == "true"});
-  }
-  return out;
+WhereRun run_of(Knows knows, std::uint64_t seed, double for_s) {
+  WherePlan plan;
+  plan.seed = seed;
+  plan.knows = knows;
+  plan.seconds = for_s;
+  return run_where(plan);
 }
 
-class WhereAmI : public ::testing::Test {
- protected:
-  void SetUp() override {
-    auto room = world::world_by_name("green-field");
-    auto robot = robot_by_name("mirada-sim");
-    auto place = place_by_name("green-field");
-    ASSERT_TRUE(room.ok() && robot.ok() && place.ok());
-    options_.world = std::move(*room);
-    options_.robot = std::move(*robot);
-    options_.robot.place = std::move(*place);
-    options_.world->noise.wheel_scale = 0.01;  // bad wheels: without tags it would go astray
-    options_.seed = 3;
-    options_.watch = [this](Micros t, const world::Truth& truth) {
-      truth_[t / (100 * kMillisecond)] = truth.X_WR;
-    };
-  }
-  double off_m(const Told& told) const {
-    const Pose2& at = truth_.at(told.t / (100 * kMillisecond));
-    return std::hypot(told.x_m - at.x_m, told.y_m - at.y_m);
-  }
-
-  rig::LockstepOptions options_;
-  std::map<Micros, Pose2> truth_;
-};
-
-TEST_F(WhereAmI, TagsKeepARovingRobotWithinADecimetreOrTwo) {
-  options_.seconds = 30;
-  const auto lines = told(rig::run_lockstep(kRoamAndTell, options_));
-  ASSERT_GT(lines.size(), 40u);
-  int known = 0;
-  for (const Told& line : lines) {
-    if (!line.known) continue;
-    ++known;
-    EXPECT_LT(off_m(line), 0.35) << "at " << seconds(line.t) << " s";
-  }
-  EXPECT_GT(known, 0.9 * static_cast<double>(lines.size()));
+TEST(WhereAmI, TagsKeepARovingRobotWithinADecimetre) {
+  const WhereSummary sum = summary_of(run_of(Knows::tags, 3, 30));
+  EXPECT_GT(sum.known_share, 0.9);
+  EXPECT_LT(sum.off_worst_m, 0.1);
 }
 
-TEST_F(WhereAmI, ARobotThatIsCarriedAwaySaysSoAndFindsItselfAgain) {
-  options_.seconds = 40;
-  options_.carry = [](Micros now) -> std::optional<Pose2> {
-    if (now == 10 * kSecond) return Pose2{1.6, 0.2, rad(180)};
-    return std::nullopt;
-  };
-  const auto lines = told(rig::run_lockstep(kRoamAndTell, options_));
-  ASSERT_GT(lines.size(), 60u);
-  const auto lost = std::find_if(lines.begin(), lines.end(),
-                                 [](const Told& line) { return line.t > 10 * kSecond && !line.known; });
-  ASSERT_NE(lost, lines.end());
-  EXPECT_LT(lost->t, 20 * kSecond);
-  ASSERT_TRUE(lines.back().known);
-  EXPECT_LT(off_m(lines.back()), 0.35);
+TEST(WhereAmI, LinesKeepARobotWithBadWheelsWhereThoseAloneLoseIt) {
+  for (const std::uint64_t seed : {3, 4}) {
+    const WhereRun with_lines = run_of(Knows::lines, seed, 60);
+    const WhereSummary lines = summary_of(with_lines);
+    const WhereSummary wheels = summary_of(run_of(Knows::start, seed, 60));
+    EXPECT_GT(with_lines.path_m, 5) << seed;
+    EXPECT_EQ(lines.known_share, 1) << seed;
+    EXPECT_LT(lines.off_median_m, 0.04) << seed;
+    EXPECT_LT(lines.off_worst_m, 0.1) << seed;
+    EXPECT_LT(lines.off_p90_m, 0.3 * wheels.off_p90_m) << seed;
+    EXPECT_GT(lines.honest_share, 0.9) << seed;
+    EXPECT_LT(lines.possible_median_m, 0.1) << seed;
+  }
+}
+
+TEST(WhereAmI, ARobotThatIsCarriedAwaySaysSoAndFindsItselfAgainByTags) {
+  WherePlan plan;
+  plan.seed = 3;
+  plan.knows = Knows::lines_and_tags;
+  plan.seconds = 40;
+  plan.carried_at = 10 * kSecond;
+  plan.carried_to = Pose2{1.6, 0.2, rad(180)};
+  const WhereRun run = run_where(plan);
+  const CarriedSummary sum = carried_summary(run, plan.carried_at);
+  ASSERT_TRUE(sum.lost_s);
+  EXPECT_LT(*sum.lost_s, 10);
+  ASSERT_TRUE(run.told.back().known);
+  EXPECT_LT(run.told.back().off_m, 0.1);
+  EXPECT_EQ(sum.wrong_after_s, 0);
+}
+
+TEST(WhereAmI, ByLinesAloneOneThatIsCarriedAwayStaysLostRatherThanWrong) {
+  for (const Pose2& X_PR : {Pose2{-0.3, -0.5, rad(144)}, Pose2{1.3, 0, rad(-103)}}) {
+    WherePlan plan;
+    plan.seed = 3;
+    plan.seconds = 30;
+    plan.carried_at = 10 * kSecond;
+    plan.carried_to = X_PR;
+    const WhereRun run = run_where(plan);
+    const CarriedSummary sum = carried_summary(run, plan.carried_at);
+    ASSERT_TRUE(sum.lost_s);
+    EXPECT_LT(*sum.lost_s, 10);
+    EXPECT_FALSE(sum.back_s);
+    EXPECT_FALSE(run.told.back().known);
+  }
 }
 
 }  // namespace

@@ -28,9 +28,14 @@ class PerceptionTest : public ::testing::Test {
       percept.frame = frame.number;
       return percept;
     };
+    out.lines = [this](const Frame& frame, const NeckAngles&, const Pose2& X_OR) {
+      ++line_looks;
+      return LinesPercept{frame.number, frame.t_exposure, X_OR, {}};
+    };
     return out;
   }
 
+  int line_looks = 0;
   int sonar_looks = 0;
   int face_looks = 0;
   bool faces_broken = false;
@@ -62,6 +67,22 @@ TEST_F(PerceptionTest, AnAnswerComesItsLatencyAfterTheFrame) {
   EXPECT_EQ(perception.percepts()->sonar.frame, 0u);
   perception.step(40'000, history);
   EXPECT_EQ(perception.percepts()->sonar.frame, 1u);
+}
+
+TEST_F(PerceptionTest, LinesAreLookedForOnlyByWhoAsksWhereItIs) {
+  perception.need({.frames = true, .sonar = true});
+  camera.offer(1, 0);
+  perception.step(30'000, history);
+  EXPECT_EQ(line_looks, 0);
+  perception.need({.frames = true, .place = true});
+  camera.offer(2, 50'000);
+  perception.step(80'000, history);
+  EXPECT_EQ(line_looks, 1);
+  EXPECT_EQ(perception.percepts()->lines.frame, 0u);
+  perception.step(90'000, history);
+  EXPECT_EQ(perception.percepts()->lines.frame, 2u);
+  perception.forget();
+  EXPECT_EQ(perception.percepts()->lines.frame, 0u);
 }
 
 TEST_F(PerceptionTest, OneFaceAnswerAtATime) {
