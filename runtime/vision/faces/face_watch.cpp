@@ -35,7 +35,7 @@ FacesPercept FaceWatch::look(const Frame& frame, const NeckAngles& neck, const P
     searched_ = true;
     searched_at_ = frame.t_exposure;
   }
-  tracker_.follow(seen, neck, X_OR);
+  tracker_.follow(seen, neck, X_OR, search || !usable);
   if (search && usable) keep_patches(seen);
   if (usable) follow_bodies(frame, neck, X_OR, seen);
   namer_.look(frame.bgr, seen, search && usable);

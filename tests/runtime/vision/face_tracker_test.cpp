@@ -101,6 +101,25 @@ TEST_F(FaceTrackerTest, AFaceThatIsLostForAMomentIsPredictedWhereItGoesAndKeepsI
   EXPECT_EQ(shown({person}).faces.at(0).id, id);
 }
 
+TEST_F(FaceTrackerTest, HowHighAFaceIsTellsHowSomebodyComesWhileTheirBoxIsOnlyMovedAlong) {
+  Eigen::Vector3d person(1.1, 0, 1.0);
+  FacesPercept seen;
+  for (int i = 0; i < 40; ++i) seen = shown({person});
+  const FacePercept first = seen.faces.at(0);
+  for (int i = 0; i < 20; ++i) {
+    person.x() += 0.35 * seconds(kPicture);
+    seen = picture();
+    put(seen, person);
+    const FacePercept& now = seen.faces.at(0);
+    const double x = now.x_px + (now.w_px - first.w_px) / 2;
+    const double y = now.y_px + (now.h_px - first.h_px) / 2;
+    seen.faces = {place_face({{x, y, first.w_px, first.h_px}, 0.95}, robot.camera, robot.X_RC(neck))};
+    tracker.follow(seen, neck, X_OR, false);
+  }
+  EXPECT_NEAR(seen.faces.at(0).p_O_m.x(), person.x(), 0.1);
+  EXPECT_NEAR(seen.faces.at(0).v_O_mps.x(), 0.35, 0.1);
+}
+
 TEST_F(FaceTrackerTest, AFaceSeenOnceIsNotPredicted) {
   shown({{1.5, 0, 1.0}});
   EXPECT_TRUE(shown({}).faces.empty());
