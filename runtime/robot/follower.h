@@ -50,6 +50,7 @@ class Follower {
   int id() const { return target_ ? target_->id : 0; }
 
  private:
+  static constexpr double kBackAside_rad = rad(60);  ///< so far off them the body turns to back off
   enum class Mode { none, face, person };
   struct Target {
     int id = 0;
@@ -61,27 +62,38 @@ class Follower {
     std::string name;  ///< "" = not known
   };
 
-  /// Where the person walked, and from when to when they were there.
+  /// Where it looks for a moment instead of at the person.
+  enum class Glance { ahead, low, behind };
+
+  /// Where the person walked or the robot drove, and from when to when they were there.
   struct Crumb {
     Eigen::Vector2d p_O_m;
     Micros since = 0, until = 0;
+    bool sure = true;  ///< their face was seen, or it was the robot itself
   };
 
   MotionTicket begin(Mode mode, double distance_m, MotionOwner owner);
   void leave();
   void look_for_target(const Sight& sight);
-  void take(const FacePercept& face, Micros t, bool by_face);
+  double scale(bool by_face) const;
+  void take(const FacePercept& face, const Sight& sight, bool by_face);
   bool may_be_target(const FacePercept& face) const;
   FollowState state_at(Micros now) const;
   Eigen::Vector2d place_at(Micros t) const;
   void move_neck(const Sight& sight, double bearing_rad, double away_m, const memory::VisualMemory& memory);
-  bool glance(const Sight& sight, const memory::VisualMemory& memory);
+  bool glance(const Sight& sight, double bearing_rad, const memory::VisualMemory& memory);
+  void mind_behind(const Sight& sight, double bearing_rad, double away_m, const memory::VisualMemory& memory);
   WheelSpeeds wheels(const Sight& sight, double bearing_rad, double away_m,
                      const memory::VisualMemory& memory);
   double room_m(const memory::VisualMemory& memory, double bearing_rad) const;
   void measure_range(const Sight& sight, const memory::VisualMemory& memory);
+  void note_own_way(const Sight& sight);
   bool walked_on(const Eigen::Vector2d& p_O_m) const;
+  bool stood_on(const memory::ObstaclePoint& point) const;
   bool was_the_person(const memory::ObstaclePoint& point) const;
+  std::size_t search_look(Micros now) const;
+  double search_rad(Micros now, double bearing_rad) const;
+  double way_back(const memory::VisualMemory& memory, double bearing_rad, double away_m) const;
   double way_to(const memory::VisualMemory& memory, double bearing_rad, double away_m) const;
 
   Motion* motion_;
@@ -96,17 +108,22 @@ class Follower {
   MotionTicket ticket_ = 0;
   FollowState state_ = FollowState::idle;
   std::optional<Target> target_;
-  std::deque<Eigen::Vector2d> own_way_O_m_;  ///< where the robot itself has been
-  double range_scale_ = 1;                   ///< what their feet say of the distance by face or clothes
+  std::deque<Crumb> own_way_;  ///< where the robot itself has been
+  double range_scale_ = 1;     ///< what their feet say of the distance by face or clothes
   std::deque<Crumb> crumbs_;
   std::uint64_t seen_frame_ = 0;
   Micros begun_at_ = 0;  ///< 0: not looked yet
+  double begun_heading_rad_ = 0;
   bool turning_ = false;
   bool wants_to_drive_ = false;
   double search_side_ = 1;
   Micros glance_since_ = 0;  ///< 0: not glancing
   Micros glance_settled_ = 0;
   Micros glanced_at_ = 0;
+  Glance glance_at_ = Glance::ahead;
+  double behind_side_ = 0;  ///< turning to look behind, that far to the left of them; 0: not
+  double behind_last_ = 0;
+  Micros behind_since_ = 0;
 };
 
 }  // namespace mirada::robot

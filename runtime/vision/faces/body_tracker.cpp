@@ -19,6 +19,9 @@ constexpr float kFades = 0.85F;  // of what was learnt, a look
 constexpr int kClothesLooks = 2;
 constexpr double kTellable = 0.62;  // mean likelihood on the own clothes
 constexpr double kClothesLike = 0.5;
+constexpr double kClothesSurely = 0.7;  // after a loss
+constexpr double kLeastAgain = 0.6;     // of the width that is expected, after a loss
+constexpr double kMostAgain = 1.8;
 constexpr double kClothesSearch_px = 14;  // in the small picture
 constexpr double kClothesSearchShare = 0.8;
 constexpr double kTrunkVisible = 0.45;
@@ -26,7 +29,7 @@ constexpr double kTrunkRange = 0.8;  // less of it tells nothing of the distance
 constexpr double kEverywhere = 0.9;  // of the picture: that is no body
 constexpr double kLikeAround = 0.3;  // beside it: more of that, and its edges are anywhere
 constexpr double kLeastJump = 0.7;   // of the distance, from look to look
-constexpr double kMostJump = 1.5;
+constexpr double kMostJump = 1.2;    // less: who is taken for farther away is driven at
 constexpr int kTrunkSide_px = 4;
 constexpr float kFew = 1e-4F;
 
@@ -134,10 +137,10 @@ void BodyTracker::settle(Clothes& clothes) {
   }
 }
 
-void BodyTracker::learn(const FacePercept& face) {
+std::optional<BodyTracker::Body> BodyTracker::learn(const FacePercept& face) {
   const cv::Rect2d whole = trunk_of(face, kTrunkHalf);
   const cv::Rect trunk = in_small(whole);
-  if (trunk.area() * scale_ * scale_ < 0.7 * whole.area() || trunk.width < kTrunkSide_px) return;
+  if (trunk.area() * scale_ * scale_ < 0.7 * whole.area() || trunk.width < kTrunkSide_px) return std::nullopt;
   Clothes& clothes = people_[face.id];
   count(bins_(trunk), clothes.mine);
   const cv::Rect ring = in_small(trunk_of(face, kRingHalf));
@@ -150,10 +153,32 @@ void BodyTracker::learn(const FacePercept& face) {
   ++clothes.looks;
   clothes.tellable = clothes.looks >= kClothesLooks && cv::mean(likelihood(clothes, trunk))[0] >= kTellable;
   const auto body = find(face);
-  if (!body || face.distance_m <= 0) return;
-  if (body->width_px <= 0 || body->cut_off) return;
-  const double width_px_m = body->width_px * face.distance_m;
-  clothes.width_px_m += (clothes.width_px_m == 0 ? 1 : 0.2) * (width_px_m - clothes.width_px_m);
+  if (body && face.distance_m > 0 && body->width_px > 0 && !body->cut_off) {
+    const double width_px_m = body->width_px * face.distance_m;
+    clothes.width_px_m += (clothes.width_px_m == 0 ? 1 : 0.2) * (width_px_m - clothes.width_px_m);
+  }
+  return body;
+}
+
+/// Where, above the trunk's middle, it is no longer like the clothes.
+std::optional<double> BodyTracker::top_px(const Clothes& clothes, const cv::Rect& trunk) const {
+  constexpr int kGap = 2;
+  const cv::Rect column(trunk.x + trunk.width / 4, 0, std::max(1, trunk.width / 2),
+                        trunk.y + trunk.height / 2);
+  if (column.height < 2) return std::nullopt;
+  cv::Mat rows;
+  cv::reduce(likelihood(clothes, column & cv::Rect({}, bins_.size())), rows, 1, cv::REDUCE_AVG);
+  const auto like = [&](int y) { return static_cast<double>(rows.at<float>(y)); };
+  int top = rows.rows - 1;
+  if (like(top) < kClothesLike) return std::nullopt;
+  for (int y = top, gap = 0; y >= 0 && gap <= kGap; --y) {
+    gap = like(y) >= kClothesLike ? 0 : gap + 1;
+    if (gap == 0) top = y;
+  }
+  if (top <= kGap) return std::nullopt;
+  const double above = like(top - 1);
+  const double part = (like(top) - kClothesLike) / std::max(like(top) - above, 1e-3);
+  return (top + 0.5 - part) * scale_;
 }
 
 cv::Mat BodyTracker::likelihood(const Clothes& clothes, const cv::Rect& area) const {
@@ -166,7 +191,15 @@ cv::Mat BodyTracker::likelihood(const Clothes& clothes, const cv::Rect& area) co
   return out;
 }
 
-std::optional<BodyTracker::Body> BodyTracker::find(const FacePercept& face) const {
+std::optional<BodyTracker::Body> BodyTracker::find_again(const FacePercept& face) const {
+  const auto body = find(face, true);
+  if (!body || body->likeness < kClothesSurely || body->width_px <= 0 || body->cut_off) return std::nullopt;
+  const double width_px = people_.at(face.id).width_px_m / std::max(face.distance_m, 0.1);
+  const bool fits = body->width_px > kLeastAgain * width_px && body->width_px < kMostAgain * width_px;
+  return fits ? body : std::nullopt;
+}
+
+std::optional<BodyTracker::Body> BodyTracker::find(const FacePercept& face, bool anywhere) const {
   const auto found = people_.find(face.id);
   if (found == people_.end() || !found->second.tellable) return std::nullopt;
   const cv::Rect2d whole = trunk_of(face, kTrunkHalf);
@@ -177,7 +210,8 @@ std::optional<BodyTracker::Body> BodyTracker::find(const FacePercept& face) cons
   cv::Mat columns;
   cv::reduce(likelihood(found->second, band), columns, 0, cv::REDUCE_AVG);
   const auto* column = columns.ptr<float>();
-  const int reach = cvRound(kClothesSearch_px + kClothesSearchShare * whole.width / scale_);
+  const int reach =
+      anywhere ? band.width : cvRound(kClothesSearch_px + kClothesSearchShare * whole.width / scale_);
   const int expected = cvRound(whole.x / scale_);
   const int first = std::clamp(expected - reach, 0, band.width - width);
   const int last = std::clamp(expected + reach, 0, band.width - width);
@@ -193,7 +227,8 @@ std::optional<BodyTracker::Body> BodyTracker::find(const FacePercept& face) cons
   return Body{{middle - whole.width / 2, band.y * scale_, whole.width, band.height * scale_},
               whole_height && !everywhere ? (to - from) * scale_ : 0,
               from == 0 || to == band.width,
-              best.likeness};
+              best.likeness,
+              everywhere ? std::nullopt : top_px(found->second, {from, band.y, to - from, band.height})};
 }
 
 double BodyTracker::distance_m(int id, const Body& body, double expected_m) const {

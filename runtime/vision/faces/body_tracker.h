@@ -15,19 +15,22 @@ namespace mirada::vision {
 class BodyTracker {
  public:
   struct Body {
-    cv::Rect2d box_px;     ///< of the trunk, in the picture's pixels
-    double width_px = 0;   ///< of what is like the clothes; 0 = it tells nothing of the distance
-    bool cut_off = false;  ///< by the picture's side: it is wider than that
-    double likeness = 0;   ///< 0..1
+    cv::Rect2d box_px;               ///< of the trunk, in the picture's pixels
+    double width_px = 0;             ///< of what is like the clothes; 0 = it tells nothing of the distance
+    bool cut_off = false;            ///< by the picture's side: it is wider than that
+    double likeness = 0;             ///< 0..1
+    std::optional<double> top_px{};  ///< the clothes' upper edge, when it is in the picture
   };
 
   /// A new picture, BGR.
   void look(const cv::Mat& bgr);
-  /// Somebody whose face is here in this picture.
-  void learn(const FacePercept& face);
+  /// Somebody whose face is here in this picture; their trunk, as find() sees it.
+  std::optional<Body> learn(const FacePercept& face);
   /// The trunk of somebody learnt, near where it should be; `face`: where their
   /// face should be, in or out of the picture.
-  std::optional<Body> find(const FacePercept& face) const;
+  std::optional<Body> find(const FacePercept& face) const { return find(face, false); }
+  /// The same after a loss, anywhere from side to side of the picture, where it is more certainly they.
+  std::optional<Body> find_again(const FacePercept& face) const;
   /// How far away a body of this width is, by what was learnt, when it was expected that far; 0 = unknown.
   double distance_m(int id, const Body& body, double expected_m) const;
 
@@ -45,6 +48,8 @@ class BodyTracker {
     bool tellable = false;
   };
 
+  std::optional<Body> find(const FacePercept& face, bool anywhere) const;
+  std::optional<double> top_px(const Clothes& clothes, const cv::Rect& trunk) const;
   cv::Rect in_small(const cv::Rect2d& box_px) const;
   cv::Mat likelihood(const Clothes& clothes, const cv::Rect& area) const;
   static void count(const cv::Mat& bins, std::vector<float>& into);

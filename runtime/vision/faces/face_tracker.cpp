@@ -13,13 +13,21 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr Micros kForgetAfter = 4 * kSecond;
+constexpr Micros kForgetClothesAfter = 15 * kSecond;  // which tell them again when the face does not
+constexpr Micros kLost = kSecond;
 constexpr Micros kForgetNewAfter = 250 * kMillisecond;  // seen once only
 constexpr int kSureLooks = 2;
 constexpr double kPush_mps2 = 1.2;      // how hard people start, stop and turn, one sigma
 constexpr double kBearing_rad = 0.012;  // how far a box's middle may be off
 constexpr double kRangeShare = 0.05;
+constexpr double kOldSize = 3;              // times as unsure, of a box that was only moved along
+constexpr double kElevation_rad = 0.012;    // the box's middle and the neck
+constexpr double kGrows_m_per_s05 = 0.004;  // what a walk and a bent head do to a height
+constexpr double kNearestBody_m = 0.3;      // nearer, the trunk fills the picture and anything passes for it
 constexpr double kBodyBearing_rad = 0.03;
-constexpr double kBodyRangeShare = 0.12;
+constexpr double kBodyRangeShare = 0.2;  // looks that follow each other err alike
+constexpr double kMostOff_rad = 0.15;    // beyond it that was no edge of theirs
+constexpr double kTopElevation_rad = 0.015;
 constexpr double kNoRange_m = 3;
 constexpr double kStartSpeed_mps = 0.3;
 constexpr double kUnsureSpeedFades = 0.85;
@@ -57,13 +65,16 @@ FaceTracker::View FaceTracker::view(const FacesPercept& picture, const NeckAngle
           X_OR};
 }
 
+Micros FaceTracker::unseen(const Track& track, Micros now) {
+  return now - std::max(track.last_seen, track.last_body);
+}
+
 void FaceTracker::predict(Track& track, Micros t) {
   const double dt = std::clamp(seconds(t - track.t), 0.0, 5.0);
   track.t = t;
   if (dt == 0) return;
-  Eigen::Matrix4d step = Eigen::Matrix4d::Identity();
-  const Micros unseen = t - std::max(track.last_seen, track.last_body);
-  const double fade = unseen > FaceTracker::kHold ? std::exp(-dt / kSpeedFades_s) : 1;
+  Covariance step = Covariance::Identity();
+  const double fade = unseen(track, t) > FaceTracker::kHold ? std::exp(-dt / kSpeedFades_s) : 1;
   step(0, 2) = step(1, 3) = dt;
   step(2, 2) = step(3, 3) = fade;
   track.state = step * track.state;
@@ -75,10 +86,11 @@ void FaceTracker::predict(Track& track, Micros t) {
     track.cov(axis + 2, axis) += q * dt * dt * dt / 2;
     track.cov(axis + 2, axis + 2) += q * dt * dt;
   }
+  track.cov(4, 4) += kGrows_m_per_s05 * kGrows_m_per_s05 * dt;
 }
 
 std::optional<FacePercept> FaceTracker::as_seen(const Track& track, const View& view) {
-  const Vector3d p_R = to_R({track.state[0], track.state[1], track.height_m}, view.X_OR);
+  const Vector3d p_R = to_R({track.state[0], track.state[1], track.state[4]}, view.X_OR);
   const Vector3d p_C = view.X_RC.inverse() * p_R;
   if (p_C.z() < kNearest_m) return std::nullopt;
   const auto pixel = view.camera.project(p_C);
@@ -96,9 +108,19 @@ std::optional<FacePercept> FaceTracker::as_seen(const Track& track, const View& 
   face.id = track.id;
   face.score = track.score;
   face.p_O_m = track.state.head<2>();
-  face.v_O_mps = track.state.tail<2>();
+  face.v_O_mps = track.state.segment<2>(2);
   face.age = track.t - track.last_seen;
   return face;
+}
+
+/// After a loss: where they went in between nobody knows.
+void FaceTracker::place_again(Track& track, const Vector2d& p_O, double spread_m) {
+  const double height_sigma = track.cov(4, 4);
+  track.state.head<2>() = p_O;
+  track.state.segment<2>(2).setZero();
+  const double speed = kStartSpeed_mps * kStartSpeed_mps;
+  track.cov.setZero();
+  track.cov.diagonal() << spread_m * spread_m, spread_m * spread_m, speed, speed, height_sigma;
 }
 
 /// One look at a place on the floor, with its noise along and across the line
@@ -109,11 +131,30 @@ void FaceTracker::observe(Track& track, const Vector2d& p_O, const Vector2d& awa
   const Eigen::Matrix2d noise =
       along_m * along_m * away * away.transpose() + across_m * across_m * side * side.transpose();
   const Eigen::Matrix2d sum = track.cov.topLeftCorner<2, 2>() + noise;
-  const Eigen::Matrix<double, 4, 2> gain = track.cov.leftCols<2>() * sum.inverse();
+  const Eigen::Matrix<double, 5, 2> gain = track.cov.leftCols<2>() * sum.inverse();
   track.state += gain * (p_O - track.state.head<2>());
   track.cov -= (gain * track.cov.topRows<2>()).eval();
-  const double speed = track.state.tail<2>().norm();
-  if (speed > kFastest_mps) track.state.tail<2>() *= kFastest_mps / speed;
+  const double speed = track.state.segment<2>(2).norm();
+  if (speed > kFastest_mps) track.state.segment<2>(2) *= kFastest_mps / speed;
+}
+
+/// How high in the picture somebody's face is tells how they come and go, quicker and more evenly than its
+/// size: a face keeps its height. The size tells which height, in the long run.
+void FaceTracker::observe_elevation(Track& track, double elevation_rad, double sigma_rad, double below_face_m,
+                                    const Vector3d& p_OC) {
+  const Vector2d flat = track.state.head<2>() - p_OC.head<2>();
+  const double away_m = std::max(flat.norm(), kNearest_m);
+  const double up_m = track.state[4] - below_face_m - p_OC.z();
+  const double off_rad = elevation_rad - std::atan2(up_m, away_m);
+  if (std::abs(off_rad) > kMostOff_rad) return;
+  const double square = away_m * away_m + up_m * up_m;
+  Eigen::Matrix<double, 1, 5> slope = Eigen::Matrix<double, 1, 5>::Zero();
+  slope.head<2>() = -up_m / square * flat.transpose() / away_m;
+  slope[4] = away_m / square;
+  const State weight = track.cov * slope.transpose();
+  const State gain = weight / (slope.dot(weight) + sigma_rad * sigma_rad);
+  track.state += gain * off_rad;
+  track.cov -= (gain * weight.transpose()).eval();
 }
 
 /// A face that the picture's upper or lower edge cuts off is as high as its width says.
@@ -126,19 +167,20 @@ FacePercept FaceTracker::made_whole(const FacePercept& face, const Track& track,
   return place_face({{face.x_px, top_px, face.w_px, height_px}, face.score}, view.camera, view.X_RC);
 }
 
-void FaceTracker::correct(Track& track, const FacePercept& seen, const View& view) const {
+void FaceTracker::correct(Track& track, const FacePercept& seen, const View& view, bool sized) const {
   const FacePercept face = made_whole(seen, track, view);
   const Vector3d p_O = to_O(face_point_R(face, view.X_RC), view.X_OR);
   const Vector2d away = Vector2d(p_O.x() - view.X_OR.x_m, p_O.y() - view.X_OR.y_m).normalized();
   const double edge = std::hypot(kRangeShare, 0.8 / size_px(face)) * face.distance_m;
   const double across = kBearing_rad * face.distance_m;
-  observe(track, p_O.head<2>(), away, edge, across);
-  track.height_m += 0.3 * (p_O.z() - track.height_m);
+  observe(track, p_O.head<2>(), away, sized ? edge : kOldSize * edge, across);
+  observe_elevation(track, face.elevation_rad, kElevation_rad, 0, to_O(view.X_RC.translation(), view.X_OR));
+  track.score = seen.score;
+  track.last_seen = track.t;
+  if (!sized) return;
   const double apart = cross_range(face_point_R(face, view.X_RC) - view.X_RC.translation());
   track.size_px_m += 0.3 * (size_px(face) * apart - track.size_px_m);
   track.shape += 0.3 * (face.h_px / face.w_px - track.shape);
-  track.score = seen.score;
-  track.last_seen = track.t;
   ++track.looks;
 }
 
@@ -147,11 +189,18 @@ FaceTracker::Track FaceTracker::begin(const FacePercept& face, const View& view,
   track.id = next_id_++;
   const Vector3d p_R = face_point_R(face, view.X_RC);
   const Vector3d p_O = to_O(p_R, view.X_OR);
-  track.state << p_O.x(), p_O.y(), 0, 0;
+  track.state << p_O.x(), p_O.y(), 0, 0, p_O.z();
   const double spread = kFaceSizeShare * face.distance_m;
   const double speed = kStartSpeed_mps * kStartSpeed_mps;
-  track.cov = Eigen::Vector4d(spread * spread, spread * spread, speed, speed).asDiagonal();
-  track.height_m = p_O.z();
+  track.cov.setZero();
+  track.cov.diagonal() << spread * spread, spread * spread, speed, speed, 0;
+  // The height is told by the distance and as unsure.
+  const double rise = std::tan(face.elevation_rad);
+  const Vector2d away = Vector2d(p_R.x(), p_R.y()).normalized();
+  const Vector2d away_O = Eigen::Rotation2Dd(view.X_OR.heading_rad) * away;
+  track.cov.topRightCorner<2, 1>() = rise * spread * spread * away_O;
+  track.cov.bottomLeftCorner<1, 2>() = track.cov.topRightCorner<2, 1>().transpose();
+  track.cov(4, 4) = rise * rise * spread * spread + kElevation_rad * kElevation_rad;
   track.size_px_m = size_px(face) * cross_range(p_R - view.X_RC.translation());
   track.shape = face.h_px / face.w_px;
   track.score = face.score;
@@ -173,10 +222,40 @@ std::vector<FacePercept> FaceTracker::expected(const FacesPercept& picture, cons
   return out;
 }
 
+std::vector<FacePercept> FaceTracker::lost_ahead(const FacesPercept& picture, const NeckAngles& neck,
+                                                 const Pose2& X_OR) const {
+  const View here = view(picture, neck, X_OR);
+  const Vector3d axis_R = here.X_RC.linear().col(2);
+  const double angle = X_OR.heading_rad + std::atan2(axis_R.y(), axis_R.x());
+  std::vector<FacePercept> out;
+  for (Track track : tracks_) {
+    if (unseen(track, picture.t_exposure) < kLost) continue;
+    const Vector2d from(X_OR.x_m, X_OR.y_m);
+    const double away_m = (track.state.head<2>() - from).norm();
+    track.state.head<2>() = from + away_m * Vector2d(std::cos(angle), std::sin(angle));
+    if (const auto face = as_seen(track, here)) out.push_back(*face);
+  }
+  return out;
+}
+
 std::vector<int> FaceTracker::ids() const {
   std::vector<int> out;
   for (const Track& track : tracks_) out.push_back(track.id);
   return out;
+}
+
+void FaceTracker::learn_top(const BodySeen& body, const NeckAngles& neck, const Pose2& X_OR) {
+  constexpr double kLearns = 0.2;
+  constexpr double kLeast_m = 0.05, kMost_m = 0.4;  // a neck's length and more
+  const auto track =
+      std::find_if(tracks_.begin(), tracks_.end(), [&](const Track& t) { return t.id == body.id; });
+  if (track == tracks_.end() || !body.top_elevation_rad) return;
+  const Vector3d lens = to_O(robot_.X_RC(neck).translation(), X_OR);
+  const double away_m = (track->state.head<2>() - lens.head<2>()).norm();
+  const double below_m = track->state[4] - lens.z() - away_m * std::tan(*body.top_elevation_rad);
+  if (below_m < kLeast_m || below_m > kMost_m) return;
+  double& known_m = track->top_below_m;
+  known_m += (known_m == 0 ? 1 : kLearns) * (below_m - known_m);
 }
 
 void FaceTracker::follow_bodies(const std::vector<BodySeen>& bodies, FacesPercept& seen,
@@ -188,12 +267,19 @@ void FaceTracker::follow_bodies(const std::vector<BodySeen>& bodies, FacesPercep
     if (track == tracks_.end() || track->last_seen == seen.t_exposure) continue;
     const Vector2d now(track->state[0] - X_OR.x_m, track->state[1] - X_OR.y_m);
     const double apart = body.distance_m > 0 ? body.distance_m : now.norm();
+    if (std::min(apart, now.norm()) < kNearestBody_m) continue;
     const double angle = X_OR.heading_rad + body.bearing_rad;
     const Vector2d away(std::cos(angle), std::sin(angle));
     const double range = body.distance_m > 0 ? kBodyRangeShare * apart : kNoRange_m;
+    if (unseen(*track, seen.t_exposure) >= kLost)
+      place_again(*track, Vector2d(X_OR.x_m, X_OR.y_m) + apart * away, range);
     observe(*track, Vector2d(X_OR.x_m, X_OR.y_m) + apart * away, away, range, kBodyBearing_rad * apart);
+    const bool tops = body.top_elevation_rad && track->top_below_m > 0;
+    if (tops)
+      observe_elevation(*track, *body.top_elevation_rad, kTopElevation_rad, track->top_below_m,
+                        to_O(here.X_RC.translation(), X_OR));
     // Nothing tells how fast they come or go.
-    if (body.distance_m <= 0) track->state.tail<2>() *= kUnsureSpeedFades;
+    if (body.distance_m <= 0 && !tops) track->state.segment<2>(2) *= kUnsureSpeedFades;
     track->last_body = seen.t_exposure;
     auto face = as_seen(*track, here);
     if (!face) continue;
@@ -220,7 +306,9 @@ std::vector<FaceTracker::Pair> FaceTracker::pairs(const FacesPercept& seen, cons
   std::vector<Pair> out;
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const Track& track = tracks_[i];
-    const Vector3d p_R = to_R({track.state[0], track.state[1], track.height_m}, here.X_OR);
+    // Another face may be anybody's by then.
+    if (unseen(track, seen.t_exposure) > kForgetAfter) continue;
+    const Vector3d p_R = to_R({track.state[0], track.state[1], track.state[4]}, here.X_OR);
     const Vector3d from_lens = p_R - here.X_RC.translation();
     const double lost_s = seconds(seen.t_exposure - track.last_seen);
     for (std::size_t j = 0; j < seen.faces.size(); ++j) {
@@ -240,8 +328,8 @@ std::vector<FaceTracker::Pair> FaceTracker::pairs(const FacesPercept& seen, cons
 }
 
 /// The face is this track's newest look; it gets the track's number and steadier place.
-void FaceTracker::take(Track& track, FacePercept& face, const View& here) const {
-  correct(track, face, here);
+void FaceTracker::take(Track& track, FacePercept& face, const View& here, bool sized) const {
+  correct(track, face, here, sized);
   const auto steady = as_seen(track, here);
   if (!steady) return;
   face.id = steady->id;
@@ -253,8 +341,7 @@ void FaceTracker::take(Track& track, FacePercept& face, const View& here) const 
 
 void FaceTracker::forget_old(Micros now) {
   std::erase_if(tracks_, [&](const Track& track) {
-    const Micros unseen = now - std::max(track.last_seen, track.last_body);
-    return unseen > (track.looks < kSureLooks ? kForgetNewAfter : kForgetAfter);
+    return unseen(track, now) > (track.looks < kSureLooks ? kForgetNewAfter : kForgetClothesAfter);
   });
 }
 
@@ -274,14 +361,14 @@ void FaceTracker::add_predicted(FacesPercept& seen, const View& here) const {
   }
 }
 
-void FaceTracker::follow(FacesPercept& seen, const NeckAngles& neck, const Pose2& X_OR) {
+void FaceTracker::follow(FacesPercept& seen, const NeckAngles& neck, const Pose2& X_OR, bool sized) {
   const View here = view(seen, neck, X_OR);
   for (Track& track : tracks_) predict(track, seen.t_exposure);
   std::vector<bool> track_done(tracks_.size()), face_done(seen.faces.size());
   for (const auto& [cost, i, j] : pairs(seen, here)) {
     if (track_done[i] || face_done[j]) continue;
     track_done[i] = face_done[j] = true;
-    take(tracks_[i], seen.faces[j], here);
+    take(tracks_[i], seen.faces[j], here, sized);
   }
   for (std::size_t j = 0; j < face_done.size(); ++j) {
     if (face_done[j]) continue;

@@ -22,18 +22,25 @@ class FaceTracker {
   std::vector<FacePercept> expected(const FacesPercept& picture, const NeckAngles& neck,
                                     const Pose2& X_OR) const;
 
-  /// Numbers the faces of a picture and steadies their distance; adds, as
-  /// `predicted`, those that were there a moment ago.
-  void follow(FacesPercept& seen, const NeckAngles& neck, const Pose2& X_OR);
+  /// Those who have not been seen for a while, as if they stood straight ahead of the camera.
+  std::vector<FacePercept> lost_ahead(const FacesPercept& picture, const NeckAngles& neck,
+                                      const Pose2& X_OR) const;
 
-  /// Somebody seen by what they wear, whose face is not seen: their bearing
-  /// and, when > 0, distance.
+  /// Numbers the faces of a picture and steadies their distance; adds, as
+  /// `predicted`, those that were there a moment ago. `sized`: the boxes were found in this picture; else
+  /// they were only moved along, and their size is an older one.
+  void follow(FacesPercept& seen, const NeckAngles& neck, const Pose2& X_OR, bool sized = true);
+
+  /// Somebody seen by what they wear: their bearing, when > 0 distance, and where the clothes end above.
   struct BodySeen {
     int id = 0;
     double bearing_rad = 0;
     double distance_m = 0;
     double likeness = 0;
+    std::optional<double> top_elevation_rad{};
   };
+  /// How far below the face the clothes of somebody end whose face was seen in the newest picture.
+  void learn_top(const BodySeen& body, const NeckAngles& neck, const Pose2& X_OR);
   /// After follow(), of the same picture: puts them into seen.bodies.
   void follow_bodies(const std::vector<BodySeen>& bodies, FacesPercept& seen, const NeckAngles& neck,
                      const Pose2& X_OR);
@@ -48,13 +55,15 @@ class FaceTracker {
   static constexpr Micros kHold = 400 * kMillisecond;
 
  private:
+  using State = Eigen::Matrix<double, 5, 1>;
+  using Covariance = Eigen::Matrix<double, 5, 5>;
   struct Track {
     int id = 0;
-    Eigen::Vector4d state = Eigen::Vector4d::Zero();  ///< x, y, their speeds; O, m and m/s
-    Eigen::Matrix4d cov = Eigen::Matrix4d::Identity();
-    double height_m = 0;
-    double size_px_m = 0;  ///< box size (root of the area) times distance from the lens
-    double shape = 1.2;    ///< box height by width
+    State state = State::Zero();  ///< x, y, their speeds, height above the floor; O, m and m/s
+    Covariance cov = Covariance::Identity();
+    double size_px_m = 0;    ///< box size (root of the area) times distance from the lens
+    double shape = 1.2;      ///< box height by width
+    double top_below_m = 0;  ///< from the face's middle down to where the clothes end; 0 = not known
     double score = 0;
     Micros t = 0;
     Micros last_seen = 0;  ///< its face
@@ -72,15 +81,19 @@ class FaceTracker {
   static std::optional<FacePercept> as_seen(const Track& track, const View& view);
   static void observe(Track& track, const Eigen::Vector2d& p_O, const Eigen::Vector2d& away, double along_m,
                       double across_m);
+  static void observe_elevation(Track& track, double elevation_rad, double sigma_rad, double below_face_m,
+                                const Eigen::Vector3d& p_OC);
   static FacePercept made_whole(const FacePercept& face, const Track& track, const View& view);
-  void correct(Track& track, const FacePercept& seen, const View& view) const;
+  void correct(Track& track, const FacePercept& seen, const View& view, bool sized) const;
   Track begin(const FacePercept& face, const View& view, Micros t);
   struct Pair {
     double cost;
     std::size_t track, face;
   };
   std::vector<Pair> pairs(const FacesPercept& seen, const View& here) const;
-  void take(Track& track, FacePercept& face, const View& here) const;
+  void take(Track& track, FacePercept& face, const View& here, bool sized) const;
+  static Micros unseen(const Track& track, Micros now);
+  static void place_again(Track& track, const Eigen::Vector2d& p_O, double spread_m);
   void forget_old(Micros now);
   void add_predicted(FacesPercept& seen, const View& here) const;
 

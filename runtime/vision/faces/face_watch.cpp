@@ -35,7 +35,7 @@ FacesPercept FaceWatch::look(const Frame& frame, const NeckAngles& neck, const P
     searched_ = true;
     searched_at_ = frame.t_exposure;
   }
-  tracker_.follow(seen, neck, X_OR);
+  tracker_.follow(seen, neck, X_OR, search || !usable);
   if (search && usable) keep_patches(seen);
   if (usable) follow_bodies(frame, neck, X_OR, seen);
   namer_.look(frame.bgr, seen, search && usable);
@@ -50,19 +50,32 @@ void FaceWatch::follow_bodies(const Frame& frame, const NeckAngles& neck, const 
   if (tracker_.ids().empty()) return;
   bodies_.look(frame.bgr);
   bodies_.keep_only(tracker_.ids());
+  const auto placed = [&](int id, const BodyTracker::Body& body) {
+    const FacePercept trunk = finder_->place({body.box_px, body.likeness}, frame, neck);
+    FaceTracker::BodySeen out{id, trunk.bearing_rad, 0, body.likeness, std::nullopt};
+    if (!body.top_px) return out;
+    const cv::Rect2d edge(body.box_px.x, *body.top_px - 1, body.box_px.width, 2);
+    out.top_elevation_rad = finder_->place({edge, body.likeness}, frame, neck).elevation_rad;
+    return out;
+  };
   std::vector<FaceTracker::BodySeen> found;
+  const auto add = [&](const FacePercept& face, const std::optional<BodyTracker::Body>& body) {
+    const bool there =
+        std::any_of(found.begin(), found.end(), [&](const auto& f) { return f.id == face.id; });
+    if (!body || there) return;
+    found.push_back(placed(face.id, *body));
+    found.back().distance_m = bodies_.distance_m(face.id, *body, face.distance_m);
+  };
   for (const FacePercept& face : tracker_.expected(seen, neck, X_OR)) {
     const auto shown = std::find_if(seen.faces.begin(), seen.faces.end(), [&](const FacePercept& other) {
       return other.id == face.id && !other.predicted;
     });
-    if (shown != seen.faces.end()) {
-      bodies_.learn(*shown);
-    } else if (const auto body = bodies_.find(face)) {
-      const FacePercept placed = finder_->place({body->box_px, body->likeness}, frame, neck);
-      found.push_back(
-          {face.id, placed.bearing_rad, bodies_.distance_m(face.id, *body, face.distance_m), body->likeness});
-    }
+    if (shown == seen.faces.end())
+      add(face, bodies_.find(face));
+    else if (const auto body = bodies_.learn(*shown))
+      tracker_.learn_top(placed(face.id, *body), neck, X_OR);
   }
+  for (const FacePercept& face : tracker_.lost_ahead(seen, neck, X_OR)) add(face, bodies_.find_again(face));
   tracker_.follow_bodies(found, seen, neck, X_OR);
 }
 

@@ -101,6 +101,66 @@ TEST_F(FaceTrackerTest, AFaceThatIsLostForAMomentIsPredictedWhereItGoesAndKeepsI
   EXPECT_EQ(shown({person}).faces.at(0).id, id);
 }
 
+TEST_F(FaceTrackerTest, HowHighAFaceIsTellsHowSomebodyComesWhileTheirBoxIsOnlyMovedAlong) {
+  Eigen::Vector3d person(1.1, 0, 1.0);
+  FacesPercept seen;
+  for (int i = 0; i < 40; ++i) seen = shown({person});
+  const FacePercept first = seen.faces.at(0);
+  for (int i = 0; i < 20; ++i) {
+    person.x() += 0.35 * seconds(kPicture);
+    seen = picture();
+    put(seen, person);
+    const FacePercept& now = seen.faces.at(0);
+    const double x = now.x_px + (now.w_px - first.w_px) / 2;
+    const double y = now.y_px + (now.h_px - first.h_px) / 2;
+    seen.faces = {place_face({{x, y, first.w_px, first.h_px}, 0.95}, robot.camera, robot.X_RC(neck))};
+    tracker.follow(seen, neck, X_OR, false);
+  }
+  EXPECT_NEAR(seen.faces.at(0).p_O_m.x(), person.x(), 0.1);
+  EXPECT_NEAR(seen.faces.at(0).v_O_mps.x(), 0.35, 0.1);
+}
+
+TEST_F(FaceTrackerTest, SomebodySeenByTheirClothesAfterALossIsWhereTheyAreSeen) {
+  int id = 0;
+  for (int i = 0; i < 10; ++i) id = shown({{1.2, 0, 1.0}}).faces.at(0).id;
+  for (int i = 0; i < 120; ++i) shown({});
+  FacesPercept seen = picture();
+  tracker.follow(seen, neck, X_OR);
+  ASSERT_EQ(tracker.lost_ahead(seen, neck, X_OR).size(), 1u);
+  tracker.follow_bodies({{id, rad(20), 1.5, 0.8}}, seen, neck, X_OR);
+  ASSERT_EQ(seen.bodies.size(), 1u);
+  EXPECT_NEAR(seen.bodies[0].p_O_m.x(), 1.5 * std::cos(rad(20)), 0.05);
+  EXPECT_LT(seen.bodies[0].v_O_mps.norm(), 0.05);
+}
+
+TEST_F(FaceTrackerTest, AFaceAfterFiveSecondsGetsANewNumberThoughTheClothesAreRemembered) {
+  int id = 0;
+  for (int i = 0; i < 10; ++i) id = shown({{1.2, 0, 1.0}}).faces.at(0).id;
+  for (int i = 0; i < 100; ++i) shown({});
+  EXPECT_NE(shown({{1.2, 0, 1.0}}).faces.at(0).id, id);
+}
+
+TEST_F(FaceTrackerTest, WhereTheClothesEndTellsHowFarABackIs) {
+  Eigen::Vector3d person(1.1, 0, 1.0);
+  const auto top = [&] {
+    return std::atan2(person.z() - 0.16 - robot.X_RC(neck).translation().z(),
+                      person.x() - robot.X_RC(neck).translation().x());
+  };
+  int id = 0;
+  for (int i = 0; i < 40; ++i) {
+    id = shown({person}).faces.at(0).id;
+    tracker.learn_top({id, 0, 0, 0.8, top()}, neck, X_OR);
+  }
+  FacesPercept seen;
+  for (int i = 0; i < 20; ++i) {
+    person.x() += 0.3 * seconds(kPicture);
+    seen = picture();
+    tracker.follow(seen, neck, X_OR);
+    tracker.follow_bodies({{id, 0, 0, 0.8, top()}}, seen, neck, X_OR);
+  }
+  EXPECT_NEAR(seen.bodies.at(0).p_O_m.x(), person.x(), 0.1);
+}
+
 TEST_F(FaceTrackerTest, AFaceSeenOnceIsNotPredicted) {
   shown({{1.5, 0, 1.0}});
   EXPECT_TRUE(shown({}).faces.empty());

@@ -1,0 +1,60 @@
+#include "vision/faces/body_tracker.h"
+
+#include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
+
+namespace mirada::vision {
+namespace {
+
+/// Somebody in red before a grey wall, 320 x 240; their face is 40 pixels wide.
+cv::Mat somebody(double middle_px) {
+  cv::Mat out(240, 320, CV_8UC3, cv::Scalar(190, 190, 190));
+  cv::rectangle(out, cv::Rect(static_cast<int>(middle_px) - 32, 90, 64, 150), cv::Scalar(40, 40, 200),
+                cv::FILLED);
+  return out;
+}
+
+FacePercept face_at(double middle_px) {
+  FacePercept face{middle_px - 20, 30, 40, 48};
+  face.id = 1;
+  face.distance_m = 1;
+  return face;
+}
+
+class BodyTrackerTest : public ::testing::Test {
+ protected:
+  BodyTrackerTest() {
+    for (int i = 0; i < 6; ++i) {
+      tracker.look(somebody(160));
+      tracker.learn(face_at(160));
+    }
+  }
+  BodyTracker tracker;
+};
+
+TEST_F(BodyTrackerTest, TellsWhereTheClothesEnd) {
+  tracker.look(somebody(170));
+  const auto body = tracker.find(face_at(160));
+  ASSERT_TRUE(body);
+  ASSERT_TRUE(body->top_px);
+  EXPECT_NEAR(*body->top_px, 90, 2);
+  EXPECT_NEAR(body->width_px, 64, 4);
+}
+
+TEST_F(BodyTrackerTest, AfterALossItFindsThemAnywhereInThePicture) {
+  tracker.look(somebody(40));
+  EXPECT_FALSE(tracker.find(face_at(250)));
+  const auto body = tracker.find_again(face_at(160));
+  ASSERT_TRUE(body);
+  EXPECT_NEAR(body->box_px.x + body->box_px.width / 2, 40, 4);
+}
+
+TEST_F(BodyTrackerTest, AfterALossSomethingMuchNarrowerOfThatColourIsNotThey) {
+  cv::Mat picture(240, 320, CV_8UC3, cv::Scalar(190, 190, 190));
+  cv::rectangle(picture, cv::Rect(60, 90, 24, 150), cv::Scalar(40, 40, 200), cv::FILLED);
+  tracker.look(picture);
+  EXPECT_FALSE(tracker.find_again(face_at(160)));
+}
+
+}  // namespace
+}  // namespace mirada::vision
