@@ -20,6 +20,7 @@ namespace {
 /// Fitted to the errors in rooms made by chance: a foot is round, dirty or in its own shade.
 constexpr double kSigmaFit = 2;
 constexpr double kFootSigma_m = 0.004;
+constexpr double kWideTo_m = 0.6;
 
 bool same_aspect(const cv::Mat& bgr, const CameraModel& camera) {
   const double wanted = static_cast<double>(camera.width_px) / camera.height_px;
@@ -189,7 +190,11 @@ void VisualSonar::Impl::find_edges() {
     const bool left_nearer = left.end_R_m.squaredNorm() < right.end_R_m.squaredNorm();
     const int column = static_cast<int>(i) + (left_nearer ? 0 : 1);
     const int beside = static_cast<int>(i) + (left_nearer ? 1 : 0);
-    const double share = thing_edge(grid, column, beside, results[static_cast<std::size_t>(column)].row);
+    // So near, a side that is measured a little too far in is a contact: the thing may reach to the next
+    // column.
+    const bool near = std::min(left.end_R_m.norm(), right.end_R_m.norm()) < kWideTo_m;
+    const double row = results[static_cast<std::size_t>(column)].row;
+    const double share = near && memory.knows_floor() ? 1 : thing_edge(grid, column, beside, row);
     left.edge = left_nearer ? share : 1 - share;
   }
 }
