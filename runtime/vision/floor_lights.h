@@ -1,9 +1,7 @@
 #pragma once
 #include <array>
 #include <optional>
-#include <span>
 
-#include "vision/look_follower.h"
 #include "vision/picture_grid.h"
 
 namespace mirada::vision {

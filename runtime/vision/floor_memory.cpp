@@ -144,6 +144,7 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
   if (first) {
     if (!shows_floor) return false;
     looks_.clear();
+    tones_.clear();
     study_.teach(looks_);
     study_.teach(tones_);
     home_ = study_.main_look();

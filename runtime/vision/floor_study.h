@@ -24,6 +24,7 @@ class FloorStudy {
   const FloorTexture& texture() const { return texture_; }
   /// Puts the looks that can be floor into `looks`.
   void teach(FloorLooks& looks) const;
+  /// The same of its smoothed colours.
   void teach(FloorTones& tones) const;
   /// How much of the strip `looks` knows, 0..1.
   double share_known(const FloorLooks& looks) const;
