@@ -12,7 +12,6 @@ constexpr int kColourReach = 20;      // farther apart, no noise makes it one co
 constexpr double kSameColour = 0.07;  // by which the channels' factors may differ
 constexpr double kColourNoise = 1.5;  // of 255
 constexpr int kMostChange = 75;       // a factor of three
-constexpr int kEnoughPlaces = 2;
 
 /// A gloss puts white into a clear colour: what is left of it points the same way.
 bool is_glossy(const Look& a, const Look& b) {
@@ -46,7 +45,7 @@ int mixed(int before, int now) { return (3 * before + now) / 4; }
 }  // namespace
 
 void FloorLights::start(const Look& look) {
-  lights_[0] = {look, kEnoughPlaces};
+  lights_[0] = {look, true};
   count_ = 1;
 }
 
@@ -64,8 +63,8 @@ FloorLights::Light* FloorLights::nearest(const Look& look) {
 bool FloorLights::see(const Look& look, How how) {
   if (count_ == 0) return false;
   if (Light* light = nearest(look)) {
-    const bool is_new = light->places < kEnoughPlaces;
-    if (how != How::from_same_place && is_new) light->places = kEnoughPlaces;
+    const bool is_new = !light->counts;
+    light->counts = true;
     light->look = {mixed(light->look.light, look.light), mixed(light->look.red, look.red),
                    mixed(light->look.blue, look.blue)};
     return is_new;
@@ -73,13 +72,13 @@ bool FloorLights::see(const Look& look, How how) {
   const Look& first = lights_[0].look;
   if (!same_colour(first, look) || std::abs(first.light - look.light) > kMostChange) return false;
   if (count_ == kMost) --count_;
-  lights_[count_++] = {look, how == How::beside_another ? kEnoughPlaces : 1};
+  lights_[count_++] = {look, how == How::beside_another};
   return true;
 }
 
 std::optional<Look> FloorLights::of(const Look& look) const {
   for (std::size_t i = 0; i < count_; ++i)
-    if (lights_[i].places >= kEnoughPlaces && is_same_light(lights_[i].look, look)) return lights_[i].look;
+    if (lights_[i].counts && is_same_light(lights_[i].look, look)) return lights_[i].look;
   return std::nullopt;
 }
 
@@ -92,7 +91,7 @@ bool FloorLights::is_change(const Look& from, const Look& to) const {
 int FloorLights::brightest() const {
   int out = 0;
   for (std::size_t i = 0; i < count_; ++i)
-    if (lights_[i].places >= kEnoughPlaces) out = std::max(out, lights_[i].look.light);
+    if (lights_[i].counts) out = std::max(out, lights_[i].look.light);
   return out;
 }
 

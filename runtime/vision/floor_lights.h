@@ -14,9 +14,8 @@ class FloorLights {
   /// The floor where it was learnt.
   void start(const Look& look);
   enum class How {
-    from_same_place,  ///< as it was seen last
-    from_elsewhere,
-    beside_another  ///< next to the floor in a light that counts: a shadow's rim lay between them
+    from_elsewhere,  ///< than where it was seen last
+    beside_another   ///< next to the floor in a light that counts: a shadow's rim lay between them
   };
   /// The floor's look in a picture. In a light that is new it has to be seen from two places, or beside a
   /// known one, before it counts: one thing that stands in the way would not be there again. True: it did not
@@ -33,7 +32,7 @@ class FloorLights {
  private:
   struct Light {
     Look look;
-    int places = 0;
+    bool counts = false;
   };
   static constexpr std::size_t kMost = 4;
   Light* nearest(const Look& look);

@@ -93,6 +93,7 @@ bool plausible(const std::vector<ColumnResult>& results) {
 void FloorMemory::forget() {
   looks_.clear();
   lights_.forget();
+  light_seen_.reset();
   tones_.clear();
   trusted_ = false;
   lost_pictures_ = blind_pictures_ = 0;
@@ -250,8 +251,8 @@ void FloorMemory::learn_tones(const PictureGrid& grid, const std::vector<ColumnS
 }
 
 bool FloorMemory::is_elsewhere(const Place& place) const {
-  return moved(place.X_OR, light_seen_.X_OR, kLightMove_m, kLostTurn_rad) ||
-         std::abs(place.neck.pan_rad - light_seen_.neck.pan_rad) > kLostTurn_rad;
+  return !light_seen_ || moved(place.X_OR, light_seen_->X_OR, kLightMove_m, kLostTurn_rad) ||
+         std::abs(place.neck.pan_rad - light_seen_->neck.pan_rad) > kLostTurn_rad;
 }
 
 /// What was crossed in many columns side by side as the floor in another light is one of its lights.
@@ -283,21 +284,18 @@ void FloorMemory::see_crossed_lights(const PictureGrid& grid, const std::vector<
 void FloorMemory::see_lights(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
                              const RowScale& scale, const Place& place, ColumnScan& scan) {
   using How = FloorLights::How;
-  // Grey is everything's colour in some light.
-  const bool sure = has_colour(home_);
-  const How how = sure                  ? How::beside_another
-                  : is_elsewhere(place) ? How::from_elsewhere
-                                        : How::from_same_place;
   FloorLights with = lights_;
-  if (!with.see(study_.main_look(), how)) {
+  // Grey is everything's colour in some light.
+  if (!with.see(study_.main_look(), has_colour(home_) ? How::beside_another : How::from_elsewhere)) {
     lights_ = with;
     return;
   }
+  // From the same place it would be judged the same again.
+  if (!is_elsewhere(place)) return;
+  light_seen_ = place;
   blind_results_.resize(spans.size());
   scan_columns(grid, spans, scale, study_.main_look(), scan, blind_results_);
-  if (!plausible(blind_results_)) return;
-  lights_ = with;
-  light_seen_ = place;
+  if (plausible(blind_results_)) lights_ = with;
 }
 
 /// What lies before the robot has the floor's colour in another light. Grey is everything's colour in some

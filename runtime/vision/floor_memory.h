@@ -60,7 +60,7 @@ class FloorMemory {
   int blind_pictures_ = 0;
   Place blind_since_;
   std::vector<ColumnResult> blind_results_;
-  Place light_seen_;  ///< where the floor's newest light was seen last
+  std::optional<Place> light_seen_;  ///< where a light that does not count yet was looked at last
   std::uint64_t fingerprint_ = 0;
   std::optional<Place> last_place_;
 };

@@ -19,8 +19,6 @@ TEST(FloorLights, ANewLightCountsOnceItWasSeenFromTwoPlaces) {
   EXPECT_TRUE(lights.of(kShaded));
   EXPECT_TRUE(lights.see(kLit, How::from_elsewhere));
   EXPECT_FALSE(lights.of(kLit));
-  EXPECT_TRUE(lights.see(kLit, How::from_same_place));
-  EXPECT_FALSE(lights.of(kLit));
   EXPECT_TRUE(lights.see(kLit, How::from_elsewhere));
   ASSERT_TRUE(lights.of(kLit));
   EXPECT_EQ(lights.of(kLit)->light, kLit.light);
