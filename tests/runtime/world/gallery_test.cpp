@@ -10,13 +10,13 @@
 namespace mirada::world {
 namespace {
 
-/// Pictures of every shipped room from its start, panned left and right, for people to look at: written to
-/// the folder that MIRADA_GALLERY names (build folder otherwise).
-std::filesystem::path gallery() {
+/// Keeps a picture for people to look at, in the folder that MIRADA_GALLERY names; without that, nothing is
+/// written.
+void keep(const std::string& name, const cv::Mat& bgr) {
   const char* folder = std::getenv("MIRADA_GALLERY");
-  const std::filesystem::path out = folder ? folder : "gallery";
-  std::filesystem::create_directories(out);
-  return out;
+  if (!folder) return;
+  std::filesystem::create_directories(folder);
+  cv::imwrite((std::filesystem::path(folder) / name).string(), bgr);
 }
 
 TEST(Gallery, EveryRoomGivesALivelyPictureInEveryDirection) {
@@ -34,8 +34,7 @@ TEST(Gallery, EveryRoomGivesALivelyPictureInEveryDirection) {
       EXPECT_GT(mean[1], 40) << id << pan_deg;
       EXPECT_LT(mean[1], 225) << id << pan_deg;
       EXPECT_GT(spread[1], 6) << id << pan_deg;
-      cv::imwrite((gallery() / (id + "_pan" + std::to_string(static_cast<int>(pan_deg)) + ".png")).string(),
-                  frame->bgr);
+      keep(id + "_pan" + std::to_string(static_cast<int>(pan_deg)) + ".png", frame->bgr);
     }
   }
 }
