@@ -40,6 +40,8 @@ class Grid {
   Vector2d middle(int i) const {
     return here_ + kSquare_m * Vector2d(i % kCells - kCells / 2 + 0.5, i / kCells - kCells / 2 + 0.5);
   }
+  /// Its floor was looked at and nothing stands there.
+  bool seen(int i) const { return price(i) == kFreeCost || price(i) == kFreeCost + kTightCost; }
   int price(int i) const { return price_[static_cast<std::size_t>(i)]; }
   const Vector2d& here() const { return here_; }
 
@@ -98,6 +100,14 @@ Reached spread(const Grid& grid, int start) {
   return out;
 }
 
+std::vector<Vector2d> steps_to(const Grid& grid, const Reached& reached, int start, int end) {
+  std::vector<Vector2d> out;
+  for (int i = end; i != start && i >= 0; i = reached.from[static_cast<std::size_t>(i)])
+    out.push_back(grid.middle(i));
+  std::reverse(out.begin(), out.end());
+  return out;
+}
+
 }  // namespace
 
 Route route_to(const VisualMemory& memory, const Vector2d& goal_O_m, double radius_m) {
@@ -113,14 +123,29 @@ Route route_to(const VisualMemory& memory, const Vector2d& goal_O_m, double radi
     nearest_m = off_m;
     end = i;
   }
-  Route out;
-  for (int i = end; i != start && i >= 0; i = reached.from[static_cast<std::size_t>(i)])
-    out.steps_O_m.push_back(grid.middle(i));
-  std::reverse(out.steps_O_m.begin(), out.steps_O_m.end());
+  Route out{steps_to(grid, reached, start, end), 0};
   const bool there = nearest_m < kSquare_m;
   if (there) out.steps_O_m.push_back(goal_O_m);
   out.misses_by_m = there ? 0 : nearest_m;
   return out;
+}
+
+Route route_to_best(const VisualMemory& memory, double radius_m,
+                    const std::function<double(const Vector2d&)>& worth_m) {
+  const Grid grid(memory, radius_m);
+  const int start = grid.index(grid.here());
+  const Reached reached = spread(grid, start);
+  int end = start;
+  double most_m = 0;
+  for (int i = 0; i < kCells * kCells; ++i) {
+    if (reached.from[static_cast<std::size_t>(i)] < 0 || !grid.seen(i)) continue;
+    const double way_m = reached.cost[static_cast<std::size_t>(i)] * kSquare_m / kFreeCost;
+    const double gain_m = worth_m(grid.middle(i)) - way_m;
+    if (gain_m <= most_m) continue;
+    most_m = gain_m;
+    end = i;
+  }
+  return {steps_to(grid, reached, start, end), 0};
 }
 
 }  // namespace mirada::memory

@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "memory/visual_memory.h"
@@ -14,5 +15,10 @@ struct Route {
 };
 
 Route route_to(const VisualMemory& memory, const Eigen::Vector2d& goal_O_m, double radius_m);
+
+/// The way to where going pays most: what a place (in O) is worth less the way there, both in metres of seen
+/// floor. Only places are asked about whose floor was looked at. Empty when none of them is worth its way.
+Route route_to_best(const VisualMemory& memory, double radius_m,
+                    const std::function<double(const Eigen::Vector2d&)>& worth_m);
 
 }  // namespace mirada::memory

@@ -43,6 +43,7 @@ MotionTicket Pilot::begin(Course course, MotionOwner owner) {
   owner_ = owner;
   ticket_ = motion_->steered(std::move(owner));
   heading_O_rad_.reset();
+  fresh_O_m_.reset();
   side_ = 0;
   chosen_at_ = routed_at_ = nearest_at_ = 0;
   if (can_pan_ && watch_->keeping() == memory::Watching::nothing) {

@@ -1,6 +1,6 @@
 #pragma once
+#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "memory/corridors.h"
@@ -42,7 +42,11 @@ class Pilot {
   Wish roam_wish(Micros now, const memory::VisualMemory& memory, const memory::Corridors& ways);
   Wish wall_wish(const memory::VisualMemory& memory, const memory::Corridors& ways);
   Wish goal_wish(Micros now, const memory::VisualMemory& memory, const memory::Corridors& ways);
-  double novelty(const memory::VisualMemory& memory, double bearing_rad, double free_m) const;
+  std::optional<double> explore(Micros now, const memory::VisualMemory& memory,
+                                const memory::Corridors& ways);
+  double freshness(Micros now, const Eigen::Vector2d& p_O_m) const;
+  double novelty(Micros now, const memory::VisualMemory& memory, double bearing_rad, double free_m) const;
+  double carrot_rad(const memory::VisualMemory& memory, const memory::Corridors& ways) const;
   WheelSpeeds speeds(const Wish& wish, const memory::VisualMemory& memory,
                      const memory::Corridors& ways) const;
 
@@ -58,8 +62,10 @@ class Pilot {
   std::optional<double> heading_O_rad_;  ///< roam's choice
   Micros chosen_at_ = 0;
   double spin_ = 1;
-  int side_ = 0;  ///< the wall's: 1 left, -1 right, 0 not chosen
-  std::set<std::pair<int, int>> visited_;
+  int side_ = 0;                                   ///< the wall's: 1 left, -1 right, 0 not chosen
+  std::map<std::pair<int, int>, Micros> visited_;  ///< squares in O, and when
+  std::optional<Eigen::Vector2d> fresh_O_m_;       ///< where roam is on its way to
+  Micros fresh_since_ = 0;
   Eigen::Vector2d goal_O_m_ = Eigen::Vector2d::Zero();
   memory::Route route_;
   Micros routed_at_ = 0;

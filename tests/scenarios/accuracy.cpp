@@ -64,7 +64,8 @@ nlohmann::json judge(const std::vector<AvoidRun>& runs) {
 int main(int argc, char** argv) {
   CLI::App app{"A program that drives about, measured by the truth of the simulated rooms."};
   Arguments arguments;
-  app.add_option("--world", arguments.worlds, "Rooms (all that ship)");
+  app.add_option("--world", arguments.worlds,
+                 "Rooms (all that ship); lab:FLOOR:LIGHT:NUMBER is one of the laboratory's");
   app.add_option("--first-seed", arguments.first_seed)->capture_default_str();
   app.add_option("--seeds", arguments.seeds)->capture_default_str();
   app.add_option("--seconds", arguments.seconds)->capture_default_str();

@@ -1,10 +1,14 @@
 #include "avoid_run.h"
 
 #include <cmath>
+#include <optional>
 #include <set>
+#include <sstream>
 #include <utility>
+#include <vector>
 
 #include "base/files.h"
+#include "rig/lab/lab_room.h"
 #include "rig/lockstep.h"
 
 namespace mirada::scenarios {
@@ -16,16 +20,35 @@ std::string place(Micros t, const world::Truth& truth) {
          number_text(truth.X_WR.y_m, 2) + " heading " + number_text(deg(truth.X_WR.heading_rad), 0);
 }
 
+/// "lab:FLOOR:LIGHT:NUMBER" is the laboratory's room of that number, started from the first of its stands.
+std::optional<world::WorldConfig> lab_world(const std::string& name) {
+  std::vector<std::string> parts;
+  std::istringstream in(name);
+  for (std::string part; std::getline(in, part, ':');) parts.push_back(part);
+  if (parts.size() != 4 || parts[0] != "lab") return std::nullopt;
+  const auto floor = rig::lab_floor_from(parts[1]);
+  const auto light = rig::lab_light_from(parts[2]);
+  if (!floor || !light) return std::nullopt;
+  rig::LabRoom room = rig::lab_room(*floor, *light, std::stoull(parts[3]));
+  if (room.stands.empty()) return std::nullopt;
+  room.world.X_WR_start = room.stands.front();
+  return room.world;
+}
+
 }  // namespace
 
 Result<AvoidRun> run_in_room(const std::string& program_json, const std::string& world, std::uint64_t seed,
                              double seconds) {
-  auto room = world::world_by_name(world);
-  if (!room) return room.faults();
+  std::optional<world::WorldConfig> chosen = lab_world(world);
+  if (!chosen) {
+    auto shipped = world::world_by_name(world);
+    if (!shipped) return shipped.faults();
+    chosen = std::move(*shipped);
+  }
   auto robot = robot_by_name("mirada-sim");
   if (!robot) return robot.faults();
   rig::LockstepOptions options;
-  options.world = std::move(*room);
+  options.world = std::move(*chosen);
   options.robot = std::move(*robot);
   options.seed = seed;
   options.seconds = seconds;
