@@ -74,6 +74,25 @@ TEST(Route, EndsWhereAClosedRoomLetsIt) {
   EXPECT_LT(route.steps_O_m.back().x(), 0.6);
 }
 
+TEST(Route, GoesWhereItPaysMostOnceTheWayIsPaid) {
+  const VisualMemory memory = seen_all_round(room_with_gap());
+  const Eigen::Vector2d beyond(0.95, 0.75), behind(-0.9, 0);
+  const auto two_places = [&](double beyond_m, double behind_m) {
+    return route_to_best(memory, kRadius_m, [&, beyond_m, behind_m](const Eigen::Vector2d& p) {
+      if ((p - beyond).norm() < 0.12) return beyond_m;
+      return (p - behind).norm() < 0.12 ? behind_m : 0.0;
+    });
+  };
+  // 0.9 m straight back, or 1.2 m and through the gap, where it is tight.
+  const Route near = two_places(3, 3);
+  ASSERT_FALSE(near.steps_O_m.empty());
+  EXPECT_LT((near.steps_O_m.back() - behind).norm(), 0.2);
+  const Route far = two_places(6, 3);
+  ASSERT_FALSE(far.steps_O_m.empty());
+  EXPECT_LT((far.steps_O_m.back() - beyond).norm(), 0.2);
+  EXPECT_TRUE(two_places(0.5, 0.5).steps_O_m.empty());
+}
+
 TEST(Gap, IsTheOneNearestToTheDirection) {
   FlatRoom room;
   for (int degree = -180; degree < 180; degree += 2) {

@@ -110,6 +110,19 @@ TEST_F(Driving, RoamsARoomWithoutTouchingIt) {
   EXPECT_GT(squares_.size(), 25u);
 }
 
+TEST_F(Driving, RoamsOnThroughEveryRoom) {
+  box_room(-1.0, -0.8, 3.8, 0.8);
+  wall(0.6, -0.8, 0.6, 0.35);
+  wall(2.2, -0.35, 2.2, 0.8);
+  pilot_.roam({1, "b"});
+  run(100);
+  EXPECT_GT(least_m_, kBody_m);
+  EXPECT_GT(squares_.size(), 49u);
+  const auto last =
+      std::count_if(squares_.begin(), squares_.end(), [](const auto& at) { return at.first > 9; });
+  EXPECT_GT(last, 18);
+}
+
 TEST_F(Driving, DrivesToAPlaceBehindAWall) {
   box_room(-1.2, -1.2, 1.8, 1.2);
   wall(0.6, -0.6, 0.6, 0.5);
