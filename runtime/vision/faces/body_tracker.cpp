@@ -20,8 +20,11 @@ constexpr int kClothesLooks = 2;
 constexpr double kTellable = 0.62;  // mean likelihood on the own clothes
 constexpr double kClothesLike = 0.5;
 constexpr double kClothesSurely = 0.7;  // after a loss
-constexpr double kLeastAgain = 0.6;     // of the width that is expected, after a loss
-constexpr double kMostAgain = 1.8;
+constexpr double kLeastAgain = 0.55;    // of the distance that is expected, after a loss
+constexpr double kMostAgain = 1.7;
+constexpr double kWalks_mps = 0.8;
+constexpr double kWhole = 0.5;            // of a box: less is not one thing
+constexpr double kTopShare = 1.25;        // from above the face to where clothes end, in the face's heights
 constexpr double kClothesSearch_px = 14;  // in the small picture
 constexpr double kClothesSearchShare = 0.8;
 constexpr double kTrunkVisible = 0.45;
@@ -191,15 +194,45 @@ cv::Mat BodyTracker::likelihood(const Clothes& clothes, const cv::Rect& area) co
   return out;
 }
 
+/// What is like the clothes and holds together, in the small picture.
+std::optional<cv::Rect> BodyTracker::largest_like(const Clothes& clothes) const {
+  cv::Mat labels, stats, middles;
+  const cv::Mat like = likelihood(clothes, {{}, bins_.size()}) > kClothesLike;
+  const int count = cv::connectedComponentsWithStats(like, labels, stats, middles);
+  int best = 0;
+  for (int i = 1; i < count; ++i)
+    if (best == 0 || stats.at<int>(i, cv::CC_STAT_AREA) > stats.at<int>(best, cv::CC_STAT_AREA)) best = i;
+  if (best == 0) return std::nullopt;
+  const auto of = [&](int what) { return stats.at<int>(best, what); };
+  const cv::Rect box(of(cv::CC_STAT_LEFT), of(cv::CC_STAT_TOP), of(cv::CC_STAT_WIDTH),
+                     of(cv::CC_STAT_HEIGHT));
+  const bool whole = of(cv::CC_STAT_AREA) > kWhole * box.area();
+  return whole && box.width >= kTrunkSide_px ? std::optional(box) : std::nullopt;
+}
+
 std::optional<BodyTracker::Body> BodyTracker::find_again(const FacePercept& face) const {
-  const auto body = find(face, true);
+  const auto found = people_.find(face.id);
+  if (found == people_.end() || !found->second.tellable || found->second.width_px_m <= 0) return std::nullopt;
+  const auto like = largest_like(found->second);
+  if (!like) return std::nullopt;
+  // As if their face were above it.
+  FacePercept above = face;
+  const double times = like->width * scale_ * face.distance_m / found->second.width_px_m;
+  above.w_px *= times;
+  above.h_px *= times;
+  above.x_px = (like->x + 0.5 * like->width) * scale_ - above.w_px / 2;
+  above.y_px = like->y * scale_ - kTopShare * above.h_px;
+  const auto body = find(above);
   if (!body || body->likeness < kClothesSurely || body->width_px <= 0 || body->cut_off) return std::nullopt;
-  const double width_px = people_.at(face.id).width_px_m / std::max(face.distance_m, 0.1);
-  const bool fits = body->width_px > kLeastAgain * width_px && body->width_px < kMostAgain * width_px;
+  // They have not gone farther than people walk.
+  const double walked_m = kWalks_mps * seconds(face.age);
+  const double away_m = distance_m(face.id, *body);
+  const bool fits =
+      away_m > kLeastAgain * face.distance_m - walked_m && away_m < kMostAgain * face.distance_m + walked_m;
   return fits ? body : std::nullopt;
 }
 
-std::optional<BodyTracker::Body> BodyTracker::find(const FacePercept& face, bool anywhere) const {
+std::optional<BodyTracker::Body> BodyTracker::find(const FacePercept& face) const {
   const auto found = people_.find(face.id);
   if (found == people_.end() || !found->second.tellable) return std::nullopt;
   const cv::Rect2d whole = trunk_of(face, kTrunkHalf);
@@ -210,8 +243,7 @@ std::optional<BodyTracker::Body> BodyTracker::find(const FacePercept& face, bool
   cv::Mat columns;
   cv::reduce(likelihood(found->second, band), columns, 0, cv::REDUCE_AVG);
   const auto* column = columns.ptr<float>();
-  const int reach =
-      anywhere ? band.width : cvRound(kClothesSearch_px + kClothesSearchShare * whole.width / scale_);
+  const int reach = cvRound(kClothesSearch_px + kClothesSearchShare * whole.width / scale_);
   const int expected = cvRound(whole.x / scale_);
   const int first = std::clamp(expected - reach, 0, band.width - width);
   const int last = std::clamp(expected + reach, 0, band.width - width);
@@ -231,11 +263,14 @@ std::optional<BodyTracker::Body> BodyTracker::find(const FacePercept& face, bool
               everywhere ? std::nullopt : top_px(found->second, {from, band.y, to - from, band.height})};
 }
 
-double BodyTracker::distance_m(int id, const Body& body, double expected_m) const {
+double BodyTracker::distance_m(int id, const Body& body) const {
   const auto found = people_.find(id);
-  if (found == people_.end() || body.width_px <= 0) return 0;
-  const double seen_m = found->second.width_px_m / body.width_px;
-  if (body.cut_off && seen_m > expected_m) return 0;
+  return found == people_.end() || body.width_px <= 0 ? 0 : found->second.width_px_m / body.width_px;
+}
+
+double BodyTracker::distance_m(int id, const Body& body, double expected_m) const {
+  const double seen_m = distance_m(id, body);
+  if (seen_m <= 0 || (body.cut_off && seen_m > expected_m)) return 0;
   return std::clamp(seen_m, kLeastJump * expected_m, kMostJump * expected_m);
 }
 

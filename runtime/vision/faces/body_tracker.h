@@ -28,11 +28,14 @@ class BodyTracker {
   std::optional<Body> learn(const FacePercept& face);
   /// The trunk of somebody learnt, near where it should be; `face`: where their
   /// face should be, in or out of the picture.
-  std::optional<Body> find(const FacePercept& face) const { return find(face, false); }
-  /// The same after a loss, anywhere from side to side of the picture, where it is more certainly they.
+  std::optional<Body> find(const FacePercept& face) const;
+  /// The same after a loss, anywhere in the picture, where it is more certainly they; `face`: of somebody as
+  /// far away as they should be, unseen for face.age.
   std::optional<Body> find_again(const FacePercept& face) const;
   /// How far away a body of this width is, by what was learnt, when it was expected that far; 0 = unknown.
   double distance_m(int id, const Body& body, double expected_m) const;
+  /// The same of somebody who may be anywhere by now.
+  double distance_m(int id, const Body& body) const;
 
   void keep_only(const std::vector<int>& ids);
   void forget() { people_.clear(); }
@@ -48,7 +51,7 @@ class BodyTracker {
     bool tellable = false;
   };
 
-  std::optional<Body> find(const FacePercept& face, bool anywhere) const;
+  std::optional<cv::Rect> largest_like(const Clothes& clothes) const;
   std::optional<double> top_px(const Clothes& clothes, const cv::Rect& trunk) const;
   cv::Rect in_small(const cv::Rect2d& box_px) const;
   cv::Mat likelihood(const Clothes& clothes, const cv::Rect& area) const;

@@ -13,8 +13,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr Micros kForgetAfter = 4 * kSecond;
-constexpr Micros kForgetClothesAfter = 15 * kSecond;  // which tell them again when the face does not
-constexpr Micros kLost = kSecond;
+constexpr Micros kForgetClothesAfter = 40 * kSecond;  // which tell them again when the face does not
+constexpr Micros kLost = 500 * kMillisecond;
 constexpr Micros kForgetNewAfter = 250 * kMillisecond;  // seen once only
 constexpr int kSureLooks = 2;
 constexpr double kPush_mps2 = 1.2;      // how hard people start, stop and turn, one sigma

@@ -49,6 +49,21 @@ TEST_F(BodyTrackerTest, AfterALossItFindsThemAnywhereInThePicture) {
   EXPECT_NEAR(body->box_px.x + body->box_px.width / 2, 40, 4);
 }
 
+TEST_F(BodyTrackerTest, AfterALossItFindsWhoHasGoneTwiceAsFarMeanwhile) {
+  cv::Mat picture(240, 320, CV_8UC3, cv::Scalar(190, 190, 190));
+  cv::rectangle(picture, cv::Rect(200, 150, 32, 75), cv::Scalar(40, 40, 200), cv::FILLED);
+  tracker.look(picture);
+  FacePercept face = face_at(160);
+  face.age = 2 * kSecond;
+  const auto body = tracker.find_again(face);
+  ASSERT_TRUE(body);
+  EXPECT_NEAR(body->box_px.x + body->box_px.width / 2, 216, 4);
+  EXPECT_NEAR(body->width_px, 32, 4);
+  EXPECT_NEAR(tracker.distance_m(1, *body), 2, 0.25);
+  ASSERT_TRUE(body->top_px);
+  EXPECT_NEAR(*body->top_px, 150, 3);
+}
+
 TEST_F(BodyTrackerTest, AfterALossSomethingMuchNarrowerOfThatColourIsNotThey) {
   cv::Mat picture(240, 320, CV_8UC3, cv::Scalar(190, 190, 190));
   cv::rectangle(picture, cv::Rect(60, 90, 24, 150), cv::Scalar(40, 40, 200), cv::FILLED);
