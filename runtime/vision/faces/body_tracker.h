@@ -20,6 +20,7 @@ class BodyTracker {
     bool cut_off = false;            ///< by the picture's side: it is wider than that
     double likeness = 0;             ///< 0..1
     std::optional<double> top_px{};  ///< the clothes' upper edge, when it is in the picture
+    bool goes_above = false;         ///< they go on above the picture
   };
 
   /// A new picture, BGR.
@@ -47,15 +48,22 @@ class BodyTracker {
     std::vector<float> around = std::vector<float>(kBins, 0.F);
     std::vector<float> likely = std::vector<float>(kBins, 0.F);
     double width_px_m = 0;
+    double top_share =
+        0;  ///< from above the face down to where they end, in the face's heights; 0 = not known
     int looks = 0;
     bool tellable = false;
   };
 
-  std::optional<cv::Rect> largest_like(const Clothes& clothes) const;
+  const Clothes* tellable(int id) const;
+  std::optional<cv::Rect> largest_like(const Clothes& clothes, int from_x, int to_x) const;
+  std::optional<Body> measure(const Clothes& clothes, const cv::Rect2d& trunk_px) const;
+  std::optional<Body> measure_over(const Clothes& clothes, const cv::Rect& like,
+                                   const FacePercept& face) const;
   std::optional<double> top_px(const Clothes& clothes, const cv::Rect& trunk) const;
   cv::Rect in_small(const cv::Rect2d& box_px) const;
   cv::Mat likelihood(const Clothes& clothes, const cv::Rect& area) const;
   static void count(const cv::Mat& bins, std::vector<float>& into);
+  static void spread(std::vector<float>& of, int step, int count);
   static void settle(Clothes& clothes);
 
   cv::Mat small_, lab_, bins_;

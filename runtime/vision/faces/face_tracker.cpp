@@ -258,6 +258,15 @@ void FaceTracker::learn_top(const BodySeen& body, const NeckAngles& neck, const 
   known_m += (known_m == 0 ? 1 : kLearns) * (below_m - known_m);
 }
 
+/// Whose clothes go on above the picture is near.
+double FaceTracker::farthest_m(const Track& track, const BodySeen& body, const Vector3d& p_OC) {
+  constexpr double kAnywhere_m = 100, kFlat = 0.1, kTopShare = 0.95;
+  const double top_m = track.state[4] - track.top_below_m - p_OC.z();
+  const double rise = body.goes_above_rad ? std::tan(*body.goes_above_rad) : 0;
+  return track.top_below_m > 0 && rise > kFlat ? std::max(kNearestBody_m, kTopShare * top_m / rise)
+                                               : kAnywhere_m;
+}
+
 void FaceTracker::follow_bodies(const std::vector<BodySeen>& bodies, FacesPercept& seen,
                                 const NeckAngles& neck, const Pose2& X_OR) {
   const View here = view(seen, neck, X_OR);
@@ -266,20 +275,20 @@ void FaceTracker::follow_bodies(const std::vector<BodySeen>& bodies, FacesPercep
         std::find_if(tracks_.begin(), tracks_.end(), [&](const Track& t) { return t.id == body.id; });
     if (track == tracks_.end() || track->last_seen == seen.t_exposure) continue;
     const Vector2d now(track->state[0] - X_OR.x_m, track->state[1] - X_OR.y_m);
-    const double apart = body.distance_m > 0 ? body.distance_m : now.norm();
+    const Vector3d lens = to_O(here.X_RC.translation(), X_OR);
+    const double seen_m = body.distance_m > 0 ? body.distance_m : now.norm();
+    const double apart = std::min(seen_m, farthest_m(*track, body, lens));
     if (std::min(apart, now.norm()) < kNearestBody_m) continue;
     const double angle = X_OR.heading_rad + body.bearing_rad;
     const Vector2d away(std::cos(angle), std::sin(angle));
-    const double range = body.distance_m > 0 ? kBodyRangeShare * apart : kNoRange_m;
+    const double range = body.distance_m > 0 || apart < seen_m ? kBodyRangeShare * apart : kNoRange_m;
     if (unseen(*track, seen.t_exposure) >= kLost)
       place_again(*track, Vector2d(X_OR.x_m, X_OR.y_m) + apart * away, range);
     observe(*track, Vector2d(X_OR.x_m, X_OR.y_m) + apart * away, away, range, kBodyBearing_rad * apart);
     const bool tops = body.top_elevation_rad && track->top_below_m > 0;
-    if (tops)
-      observe_elevation(*track, *body.top_elevation_rad, kTopElevation_rad, track->top_below_m,
-                        to_O(here.X_RC.translation(), X_OR));
+    if (tops) observe_elevation(*track, *body.top_elevation_rad, kTopElevation_rad, track->top_below_m, lens);
     // Nothing tells how fast they come or go.
-    if (body.distance_m <= 0 && !tops) track->state.segment<2>(2) *= kUnsureSpeedFades;
+    if (range == kNoRange_m && !tops) track->state.segment<2>(2) *= kUnsureSpeedFades;
     track->last_body = seen.t_exposure;
     auto face = as_seen(*track, here);
     if (!face) continue;

@@ -53,9 +53,12 @@ void FaceWatch::follow_bodies(const Frame& frame, const NeckAngles& neck, const 
   const auto placed = [&](int id, const BodyTracker::Body& body) {
     const FacePercept trunk = finder_->place({body.box_px, body.likeness}, frame, neck);
     FaceTracker::BodySeen out{id, trunk.bearing_rad, 0, body.likeness, std::nullopt};
-    if (!body.top_px) return out;
-    const cv::Rect2d edge(body.box_px.x, *body.top_px - 1, body.box_px.width, 2);
-    out.top_elevation_rad = finder_->place({edge, body.likeness}, frame, neck).elevation_rad;
+    const auto elevation_rad = [&](double y_px) {
+      const cv::Rect2d edge(body.box_px.x, y_px - 1, body.box_px.width, 2);
+      return finder_->place({edge, body.likeness}, frame, neck).elevation_rad;
+    };
+    if (body.top_px) out.top_elevation_rad = elevation_rad(*body.top_px);
+    if (body.goes_above) out.goes_above_rad = elevation_rad(1);
     return out;
   };
   std::vector<FaceTracker::BodySeen> found;

@@ -41,6 +41,40 @@ TEST_F(BodyTrackerTest, TellsWhereTheClothesEnd) {
   EXPECT_NEAR(body->width_px, 64, 4);
 }
 
+TEST_F(BodyTrackerTest, ABackInTheShadeIsAsWideAsTheFrontWas) {
+  cv::Mat picture = somebody(160);
+  cv::rectangle(picture, cv::Rect(128, 90, 40, 150), cv::Scalar(34, 34, 150), cv::FILLED);
+  tracker.look(picture);
+  const auto body = tracker.find(face_at(160));
+  ASSERT_TRUE(body);
+  EXPECT_NEAR(body->width_px, 64, 4);
+  EXPECT_NEAR(body->box_px.x + body->box_px.width / 2, 160, 4);
+}
+
+TEST_F(BodyTrackerTest, IsFoundWhereTheClothesAreAndNotOnlyAtTheHeightThatWasExpected) {
+  cv::Mat picture(240, 320, CV_8UC3, cv::Scalar(190, 190, 190));
+  cv::rectangle(picture, cv::Rect(128, 120, 64, 70), cv::Scalar(40, 40, 200), cv::FILLED);
+  tracker.look(picture);
+  FacePercept face = face_at(160);
+  face.y_px = -30;
+  const auto body = tracker.find(face);
+  ASSERT_TRUE(body);
+  EXPECT_NEAR(body->width_px, 64, 4);
+  ASSERT_TRUE(body->top_px);
+  EXPECT_NEAR(*body->top_px, 120, 3);
+}
+
+TEST_F(BodyTrackerTest, TellsThatTheClothesGoOnAboveThePicture) {
+  cv::Mat picture(240, 320, CV_8UC3, cv::Scalar(190, 190, 190));
+  cv::rectangle(picture, cv::Rect(100, 0, 120, 150), cv::Scalar(40, 40, 200), cv::FILLED);
+  tracker.look(picture);
+  const auto body = tracker.find(face_at(160));
+  ASSERT_TRUE(body);
+  EXPECT_TRUE(body->goes_above);
+  EXPECT_FALSE(body->top_px);
+  EXPECT_NEAR(body->width_px, 120, 6);
+}
+
 TEST_F(BodyTrackerTest, AfterALossItFindsThemAnywhereInThePicture) {
   tracker.look(somebody(40));
   EXPECT_FALSE(tracker.find(face_at(250)));
