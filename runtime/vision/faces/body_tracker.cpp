@@ -248,7 +248,10 @@ std::optional<BodyTracker::Body> BodyTracker::measure_over(const Clothes& clothe
     trunk = trunk_of(above, kTrunkHalf);
   }
   auto body = measure(clothes, trunk);
-  if (body) body->goes_above = goes_above;
+  if (!body) return std::nullopt;
+  body->goes_above = goes_above;
+  // A hem tells where they are, not how far.
+  if (goes_above && seen.height < kTrunkVisible * seen.width) body->width_px = 0;
   return body;
 }
 

@@ -24,6 +24,7 @@ constexpr double kOldSize = 3;              // times as unsure, of a box that wa
 constexpr double kElevation_rad = 0.012;    // the box's middle and the neck
 constexpr double kGrows_m_per_s05 = 0.004;  // what a walk and a bent head do to a height
 constexpr double kNearestBody_m = 0.3;      // nearer, the trunk fills the picture and anything passes for it
+constexpr double kOffRobot_m = 0.4;
 constexpr double kBodyBearing_rad = 0.03;
 constexpr double kBodyRangeShare = 0.2;  // looks that follow each other err alike
 constexpr double kMostOff_rad = 0.15;    // beyond it that was no edge of theirs
@@ -111,6 +112,18 @@ std::optional<FacePercept> FaceTracker::as_seen(const Track& track, const View& 
   face.v_O_mps = track.state.segment<2>(2);
   face.age = track.t - track.last_seen;
   return face;
+}
+
+/// Who is not seen has not walked into the robot, however they came.
+void FaceTracker::keep_off(Track& track, const Pose2& X_OR) {
+  const Vector2d here(X_OR.x_m, X_OR.y_m);
+  const Vector2d to = track.state.head<2>() - here;
+  const double away_m = to.norm();
+  if (away_m >= kOffRobot_m) return;
+  const Vector2d away =
+      away_m > 0 ? Vector2d(to / away_m) : Vector2d(std::cos(X_OR.heading_rad), std::sin(X_OR.heading_rad));
+  track.state.head<2>() = here + kOffRobot_m * away;
+  track.state.segment<2>(2).setZero();
 }
 
 /// After a loss: where they went in between nobody knows.
@@ -278,7 +291,7 @@ void FaceTracker::follow_bodies(const std::vector<BodySeen>& bodies, FacesPercep
     const Vector3d lens = to_O(here.X_RC.translation(), X_OR);
     const double seen_m = body.distance_m > 0 ? body.distance_m : now.norm();
     const double apart = std::min(seen_m, farthest_m(*track, body, lens));
-    if (std::min(apart, now.norm()) < kNearestBody_m) continue;
+    if (apart < kNearestBody_m) continue;
     const double angle = X_OR.heading_rad + body.bearing_rad;
     const Vector2d away(std::cos(angle), std::sin(angle));
     const double range = body.distance_m > 0 || apart < seen_m ? kBodyRangeShare * apart : kNoRange_m;
@@ -386,6 +399,8 @@ void FaceTracker::follow(FacesPercept& seen, const NeckAngles& neck, const Pose2
     seen.faces[j].p_O_m = tracks_.back().state.head<2>();
   }
   forget_old(seen.t_exposure);
+  for (Track& track : tracks_)
+    if (track.last_seen < seen.t_exposure) keep_off(track, X_OR);
   add_predicted(seen, here);
 }
 

@@ -96,6 +96,7 @@ class FaceTracker {
   std::vector<Pair> pairs(const FacesPercept& seen, const View& here) const;
   void take(Track& track, FacePercept& face, const View& here, bool sized) const;
   static Micros unseen(const Track& track, Micros now);
+  static void keep_off(Track& track, const Pose2& X_OR);
   static void place_again(Track& track, const Eigen::Vector2d& p_O, double spread_m);
   void forget_old(Micros now);
   void add_predicted(FacesPercept& seen, const View& here) const;

@@ -178,6 +178,24 @@ TEST_F(FaceTrackerTest, WhoseClothesGoOnAboveThePictureIsNear) {
   EXPECT_LT(seen.bodies.at(0).p_O_m.x(), 0.65);
 }
 
+TEST_F(FaceTrackerTest, WhoCameNearUnseenIsFoundAgainByTheirClothes) {
+  Eigen::Vector3d person(1.0, 0, 0.55);
+  int id = 0;
+  for (int i = 0; i < 16; ++i) {
+    id = shown({person}).faces.at(0).id;
+    person.x() -= 0.5 * seconds(kPicture);
+  }
+  FacesPercept seen;
+  for (int i = 0; i < 30; ++i) seen = shown({});
+  for (int i = 0; i < 10; ++i) {
+    seen = picture();
+    tracker.follow(seen, neck, X_OR);
+    tracker.follow_bodies({{id, 0, 0.6, 0.8}}, seen, neck, X_OR);
+  }
+  ASSERT_EQ(seen.bodies.size(), 1u);
+  EXPECT_NEAR(seen.bodies[0].distance_m, 0.6, 0.1);
+}
+
 TEST_F(FaceTrackerTest, AFaceSeenOnceIsNotPredicted) {
   shown({{1.5, 0, 1.0}});
   EXPECT_TRUE(shown({}).faces.empty());
