@@ -85,6 +85,7 @@ MotionTicket Follower::begin(Mode mode, double distance_m, MotionOwner owner) {
   crumbs_.clear();
   own_way_.clear();
   range_scale_ = 1;
+  measured_ = 0;
   state_ = FollowState::searching;
   glance_since_ = glance_settled_ = glanced_at_ = begun_at_ = 0;
   glance_at_ = Glance::ahead;
@@ -242,7 +243,8 @@ void Follower::mind_behind(const Sight& sight, double bearing_rad, double away_m
 bool Follower::glance(const Sight& sight, double bearing_rad, const memory::VisualMemory& memory) {
   constexpr Micros kEvery = 2 * kSecond;
   constexpr Micros kSoon = 900 * kMillisecond;
-  constexpr double kShort_m = 0.3;
+  constexpr double kShort_m = 0.3, kKnown_m = 0.5;
+  constexpr int kMeasured = 3;
   constexpr double kLow_rad = rad(20);
   constexpr double kAside_rad = rad(20);
   constexpr double kTurned_rad = rad(12);
@@ -252,7 +254,10 @@ bool Follower::glance(const Sight& sight, double bearing_rad, const memory::Visu
     const bool behind = behind_side_ != 0 && turned;
     const bool blocked = room_m(memory, 0) < kShort_m;
     const Micros since = sight.now - glanced_at_;
-    const bool due = since > kEvery || (since > kSoon && (blocked || state_ == FollowState::predicted));
+    // Each look costs the sight of them: seldom where the way is known.
+    const bool known = measured_ >= kMeasured && room_m(memory, 0) > kKnown_m;
+    const bool due = since > (known ? 2 * kEvery : kEvery) ||
+                     (since > kSoon && (blocked || state_ == FollowState::predicted));
     const bool wanted = behind || (due && (wants_to_drive_ || since > 2 * kEvery));
     if (!wanted || state_ == FollowState::searching) return false;
     glance_since_ = sight.now;
@@ -299,7 +304,9 @@ void Follower::measure_range(const Sight& sight, const memory::VisualMemory& mem
     if (std::abs(off) < kBeside_rad && away_m > kNearest * expected_m) feet_m = std::min(feet_m, away_m);
   }
   const double scale = feet_m / expected_m;
-  if (scale < kFarthest) range_scale_ += kTrust * (scale - range_scale_);
+  if (scale >= kFarthest) return;
+  range_scale_ += kTrust * (scale - range_scale_);
+  ++measured_;
 }
 
 /// How many looks of the search are over.
@@ -354,14 +361,18 @@ WheelSpeeds Follower::wheels(const Sight& sight, double bearing_rad, double away
   constexpr double kKeepGain_per_s = 1.4;
   constexpr double kBackMost_mps = 0.35;
   constexpr double kSlack_m = 0.02;
+  constexpr double kHeadway_s = 0.35, kHeadwayMost = 0.12;
   const Vector2d away(std::cos(sight.X_OR.heading_rad + bearing_rad),
                       std::sin(sight.X_OR.heading_rad + bearing_rad));
-  const double off_m = away_m - keep_m_;
   // What they were doing when they were last seen.
   const double theirs =
       target_ ? target_->v_O_mps.dot(away) * std::exp(-seconds(sight.now - target_->t) / kWalkFades_s) : 0;
+  // Who walks may turn round: behind somebody who goes it keeps farther off, before somebody who comes
+  // nearer.
+  const double most_m = kHeadwayMost * keep_m_;
+  const double off_m = away_m - keep_m_ - std::clamp(kHeadway_s * theirs, -most_m, most_m);
   double forward = theirs + kKeepGain_per_s * (std::abs(off_m) > kSlack_m ? off_m : 0);
-  wants_to_drive_ = std::abs(forward) > 0.03;
+  wants_to_drive_ = forward > 0.03;
   const double way_rad =
       forward > 0 ? way_to(memory, bearing_rad, away_m) : way_back(memory, bearing_rad, away_m);
   const double turn = std::clamp(kFollowTurn_per_s * way_rad, -turn_limit, turn_limit);

@@ -110,6 +110,7 @@ class Follower {
   std::optional<Target> target_;
   std::deque<Crumb> own_way_;  ///< where the robot itself has been
   double range_scale_ = 1;     ///< what their feet say of the distance by face or clothes
+  int measured_ = 0;           ///< times
   std::deque<Crumb> crumbs_;
   std::uint64_t seen_frame_ = 0;
   Micros begun_at_ = 0;  ///< 0: not looked yet
