@@ -358,7 +358,7 @@ WheelSpeeds Follower::wheels(const Sight& sight, double bearing_rad, double away
     const double off_rad = bearing_rad + behind_side_ * kBackAside_rad;
     return spin(std::clamp(2 * kFollowTurn_per_s * off_rad, -turn_limit, turn_limit));
   }
-  constexpr double kKeepGain_per_s = 1.4;
+  constexpr double kKeepGain_per_s = 2.0;
   constexpr double kBackMost_mps = 0.35;
   constexpr double kSlack_m = 0.02;
   constexpr double kHeadway_s = 0.35, kHeadwayMost = 0.12;
