@@ -19,6 +19,7 @@ constexpr double kRingHalf = 2.6;
 constexpr float kFades = 0.85F;  // of what was learnt, a look
 constexpr int kClothesLooks = 2;
 constexpr double kTellable = 0.62;  // mean likelihood on the own clothes
+constexpr double kStillTellable = 0.5;
 constexpr double kClothesLike = 0.5;
 constexpr double kClothesSurely = 0.7;  // after a loss
 constexpr double kLeastAgain = 0.55;    // of the distance that is expected, after a loss
@@ -153,13 +154,11 @@ void BodyTracker::settle(Clothes& clothes) {
   for (std::size_t i = 0; i < kBins; ++i) clothes.likely[i] = mine[i] / (mine[i] + around[i] + kFew);
 }
 
-std::optional<BodyTracker::Body> BodyTracker::learn(const FacePercept& face) {
-  const cv::Rect2d whole = trunk_of(face, kTrunkHalf);
+void BodyTracker::learn_colours(Clothes& clothes, const cv::Rect2d& whole) {
   const cv::Rect trunk = in_small(whole);
-  if (trunk.area() * scale_ * scale_ < 0.7 * whole.area() || trunk.width < kTrunkSide_px) return std::nullopt;
-  Clothes& clothes = people_[face.id];
   count(bins_(trunk), clothes.mine);
-  const cv::Rect ring = in_small(trunk_of(face, kRingHalf));
+  const double beside_px = (kRingHalf / kTrunkHalf - 1) / 2 * whole.width;
+  const cv::Rect ring = in_small({whole.x - beside_px, whole.y, whole.width + 2 * beside_px, whole.height});
   const cv::Rect left(ring.x, ring.y, std::max(0, trunk.x - trunk.width / 3 - ring.x), ring.height);
   const int right_x = trunk.x + trunk.width + trunk.width / 3;
   const cv::Rect right(right_x, ring.y, std::max(0, ring.x + ring.width - right_x), ring.height);
@@ -167,7 +166,18 @@ std::optional<BodyTracker::Body> BodyTracker::learn(const FacePercept& face) {
     if (side.area() > 0) count(bins_(side), clothes.around);
   settle(clothes);
   ++clothes.looks;
-  clothes.tellable = clothes.looks >= kClothesLooks && cv::mean(likelihood(clothes, trunk))[0] >= kTellable;
+  const double enough = clothes.tellable ? kStillTellable : kTellable;
+  clothes.tellable = clothes.looks >= kClothesLooks && cv::mean(likelihood(clothes, trunk))[0] >= enough;
+}
+
+std::optional<BodyTracker::Body> BodyTracker::learn(const FacePercept& face) {
+  cv::Rect2d whole = trunk_of(face, kTrunkHalf);
+  const cv::Rect trunk = in_small(whole);
+  if (trunk.area() * scale_ * scale_ < 0.7 * whole.area() || trunk.width < kTrunkSide_px) return std::nullopt;
+  Clothes& clothes = people_[face.id];
+  // A face in profile is before its body: what is known of the clothes tells where that is.
+  if (const auto known = clothes.tellable ? measure(clothes, whole) : std::nullopt) whole.x = known->box_px.x;
+  learn_colours(clothes, whole);
   const auto body = clothes.tellable ? measure(clothes, whole) : std::nullopt;
   const auto settle_to = [](double& known, double seen) { known += (known == 0 ? 1 : 0.2) * (seen - known); };
   if (body && face.distance_m > 0 && body->width_px > 0 && !body->cut_off)

@@ -64,6 +64,18 @@ TEST_F(BodyTrackerTest, IsFoundWhereTheClothesAreAndNotOnlyAtTheHeightThatWasExp
   EXPECT_NEAR(*body->top_px, 120, 3);
 }
 
+TEST_F(BodyTrackerTest, AFaceInProfileBeforeItsBodyDoesNotTeachTheWallForClothes) {
+  for (int i = 0; i < 12; ++i) {
+    tracker.look(somebody(160));
+    tracker.learn(face_at(112));
+  }
+  tracker.look(somebody(200));
+  const auto body = tracker.find(face_at(180));
+  ASSERT_TRUE(body);
+  EXPECT_GT(body->likeness, 0.8);
+  EXPECT_NEAR(body->width_px, 64, 4);
+}
+
 TEST_F(BodyTrackerTest, TellsThatTheClothesGoOnAboveThePicture) {
   cv::Mat picture(240, 320, CV_8UC3, cv::Scalar(190, 190, 190));
   cv::rectangle(picture, cv::Rect(100, 0, 120, 150), cv::Scalar(40, 40, 200), cv::FILLED);
