@@ -50,7 +50,8 @@ class Follower {
   int id() const { return target_ ? target_->id : 0; }
 
  private:
-  static constexpr double kBackAside_rad = rad(60);  ///< so far off them the body turns to back off
+  static constexpr Micros kPredictFor = 2'200 * kMillisecond;  ///< after the newest sight
+  static constexpr double kBackAside_rad = rad(60);            ///< so far off them the body turns to back off
   enum class Mode { none, face, person };
   struct Target {
     int id = 0;
