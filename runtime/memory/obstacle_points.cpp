@@ -9,7 +9,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kGate = 3;  // sigmas within which two sightings are one place
+constexpr double kFarthestBound_m = 0.6;  // of what the picture cuts off below
+constexpr double kGate = 3;               // sigmas within which two sightings are one place
 constexpr double kLeastGate_m = 0.05;
 constexpr double kPassed_m = 0.03;  // a ray passes through only when it clearly does
 constexpr double kSamePlace_m = 0.03;
@@ -139,6 +140,8 @@ void ObstaclePoints::add_unexplained(const Look& look) {
   for (int i = 0; i <= look.last(); ++i) {
     const SonarReading& reading = look.reading(i);
     if (reading.answer != Answer::blocked || look.explained[static_cast<std::size_t>(i)] != 0) continue;
+    // Somewhere nearer than that is no place.
+    if (reading.distance_m > kFarthestBound_m && look.upper_bound(reading)) continue;
     ObstaclePoint point;
     point.sight_O = look.direction(reading.bearing_rad);
     point.p_O_m = look.p_OR_m + reading.distance_m * point.sight_O;

@@ -50,7 +50,8 @@ class Follower {
   int id() const { return target_ ? target_->id : 0; }
 
  private:
-  static constexpr double kBackAside_rad = rad(60);  ///< so far off them the body turns to back off
+  static constexpr Micros kPredictFor = 2'200 * kMillisecond;  ///< after the newest sight
+  static constexpr double kBackAside_rad = rad(60);            ///< so far off them the body turns to back off
   enum class Mode { none, face, person };
   struct Target {
     int id = 0;
@@ -110,6 +111,7 @@ class Follower {
   std::optional<Target> target_;
   std::deque<Crumb> own_way_;  ///< where the robot itself has been
   double range_scale_ = 1;     ///< what their feet say of the distance by face or clothes
+  int measured_ = 0;           ///< times
   std::deque<Crumb> crumbs_;
   std::uint64_t seen_frame_ = 0;
   Micros begun_at_ = 0;  ///< 0: not looked yet

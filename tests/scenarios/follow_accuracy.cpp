@@ -1,6 +1,7 @@
 // Follows a walker by chance in seed after seed and prints one JSON object: every run.
 #include <fstream>
 #include <iostream>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,9 @@ int main(int argc, char** argv) {
   app.add_option("--seconds", seconds)->capture_default_str();
   app.add_option("--walk", only, "Only this walk");
   app.add_option("--trace", trace_file, "A CSV file of where they were, a line a tenth of a second");
+  std::optional<double> oracle_s;
+  app.add_option("--oracle", oracle_s,
+                 "Followed by the truth as it was so many seconds ago, with the robot's wheels");
   CLI11_PARSE(app, argc, argv);
   const std::pair<const char*, Walk> walks[] = {
       {"faces the robot", {0.35, true, false, false, false}},
@@ -29,7 +33,9 @@ int main(int argc, char** argv) {
   for (const auto& [name, walk] : walks) {
     if (!only.empty() && only != name) continue;
     for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
-      const FollowRun run = run_follow(walk, seed, seconds, 6, trace_file.empty() ? nullptr : &trace);
+      const FollowRun run = oracle_s
+                                ? run_oracle(walk, seed, seconds, *oracle_s)
+                                : run_follow(walk, seed, seconds, 6, trace_file.empty() ? nullptr : &trace);
       runs.push_back({{"walk", name},
                       {"seed", seed},
                       {"speed_mps", walk.speed_mps},

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "base/random.h"
+#include "follow_oracle.h"
 #include "rig/lockstep.h"
 #include "runtime/rig/program_text.h"
 
@@ -157,6 +158,40 @@ FollowRun run_follow(const Walk& walk, std::uint64_t seed, double seconds, doubl
   run.contacts = report.robot ? report.robot->contacts : 0;
   run.wall_s = report.wall_s;
   run.hash = report.hash;
+  return run;
+}
+
+FollowRun run_oracle(const Walk& walk, std::uint64_t seed, double seconds, double delay_s, double settle_s) {
+  rig::LockstepOptions options;
+  options.world = follow_room(walk, seed);
+  options.robot = *robot_by_name("mirada-sim");
+  options.seed = seed;
+  options.seconds = seconds;
+  FollowOracle oracle(options.robot.drive, options.world->X_WR_start, 1, delay_s);
+  Pose2 person = options.world->people[0].X_WP;
+  FollowRun run;
+  run.seed = seed;
+  int steps = 0, at_distance = 0, both = 0, too_near = 0;
+  options.carry = [&](Micros) { return std::optional(oracle.step(person, kStep_s)); };
+  options.watch = [&](Micros t, const world::Truth& truth) {
+    person = truth.people[0];
+    run.contacts = truth.contacts;
+    if (t < micros(settle_s)) return;
+    const double away_m = std::hypot(person.x_m - truth.X_WR.x_m, person.y_m - truth.X_WR.y_m);
+    const bool near = away_m >= 0.8 && away_m <= 1.2;
+    ++steps;
+    at_distance += near;
+    both += near && oracle.sees();
+    too_near += away_m < 0.8;
+  };
+  using namespace rig;
+  const std::string wait = forever(block({"control_wait", "wait", number_input("DURATION", "1"), ""}));
+  (void)rig::run_lockstep(program(flag(wait)), options);
+  const double all = std::max(steps, 1);
+  run.at_distance_share = at_distance / all;
+  run.both_share = both / all;
+  run.too_near_share = too_near / all;
+  run.too_far_share = 1 - run.at_distance_share - run.too_near_share;
   return run;
 }
 

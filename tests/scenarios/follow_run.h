@@ -39,5 +39,8 @@ world::WorldConfig follow_room(const Walk& walk, std::uint64_t seed);
 /// robot), pan_deg, heading_deg; null: nowhere.
 FollowRun run_follow(const Walk& walk, std::uint64_t seed, double seconds, double settle_s = 6,
                      std::ostream* trace = nullptr);
+/// The same walk followed by FollowOracle: what the robot's wheels allow whoever knows everything so late.
+FollowRun run_oracle(const Walk& walk, std::uint64_t seed, double seconds, double delay_s,
+                     double settle_s = 6);
 
 }  // namespace mirada::scenarios

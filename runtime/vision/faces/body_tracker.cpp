@@ -1,6 +1,7 @@
 #include "vision/faces/body_tracker.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -18,10 +19,14 @@ constexpr double kRingHalf = 2.6;
 constexpr float kFades = 0.85F;  // of what was learnt, a look
 constexpr int kClothesLooks = 2;
 constexpr double kTellable = 0.62;  // mean likelihood on the own clothes
+constexpr double kStillTellable = 0.5;
 constexpr double kClothesLike = 0.5;
 constexpr double kClothesSurely = 0.7;  // after a loss
-constexpr double kLeastAgain = 0.6;     // of the width that is expected, after a loss
-constexpr double kMostAgain = 1.8;
+constexpr double kLeastAgain = 0.55;    // of the distance that is expected, after a loss
+constexpr double kMostAgain = 1.7;
+constexpr double kWalks_mps = 0.8;
+constexpr double kWhole = 0.5;            // of a box: less is not one thing
+constexpr double kTopShare = 1.25;        // from above the face to where clothes end, in the face's heights
 constexpr double kClothesSearch_px = 14;  // in the small picture
 constexpr double kClothesSearchShare = 0.8;
 constexpr double kTrunkVisible = 0.45;
@@ -31,6 +36,7 @@ constexpr double kLikeAround = 0.3;  // beside it: more of that, and its edges a
 constexpr double kLeastJump = 0.7;   // of the distance, from look to look
 constexpr double kMostJump = 1.2;    // less: who is taken for farther away is driven at
 constexpr int kTrunkSide_px = 4;
+constexpr int kAtEdge_px = 1;
 constexpr float kFew = 1e-4F;
 
 cv::Rect2d trunk_of(const FacePercept& face, double half) {
@@ -120,30 +126,39 @@ void BodyTracker::count(const cv::Mat& bins, std::vector<float>& into) {
   }
 }
 
-/// How likely each colour is theirs. Lighter and darker shades of it count too:
-/// a back is lit otherwise.
-void BodyTracker::settle(Clothes& clothes) {
+/// Each colour counts for those beside it too, along one axis of the bins.
+void BodyTracker::spread(std::vector<float>& of, int step, int count) {
+  constexpr std::array kBeside{0.7F, 0.25F};
+  const std::vector<float> from = of;
   for (int i = 0; i < kBins; ++i) {
-    const auto at = [&](const std::vector<float>& of, int j) {
-      return j >= 0 && j < kBins ? of[static_cast<std::size_t>(j)] : 0.F;
-    };
-    const auto spread = [&](const std::vector<float>& of) {
-      float sum = at(of, i) + 0.5F * (at(of, i - 256) + at(of, i + 256));
-      for (const int j : {i - 1, i + 1, i - 16, i + 16}) sum += 0.25F * at(of, j);
-      return sum;
-    };
-    const float mine = spread(clothes.mine);
-    clothes.likely[static_cast<std::size_t>(i)] = mine / (mine + spread(clothes.around) + kFew);
+    const int at = i / step % count;
+    for (int off = 1; off <= 2; ++off) {
+      const float share = kBeside[static_cast<std::size_t>(off - 1)];
+      if (at >= off)
+        of[static_cast<std::size_t>(i)] += share * from[static_cast<std::size_t>(i - off * step)];
+      if (at + off < count)
+        of[static_cast<std::size_t>(i)] += share * from[static_cast<std::size_t>(i + off * step)];
+    }
   }
 }
 
-std::optional<BodyTracker::Body> BodyTracker::learn(const FacePercept& face) {
-  const cv::Rect2d whole = trunk_of(face, kTrunkHalf);
+/// How likely each colour is theirs. Lighter and darker shades of it count too:
+/// a back is lit otherwise.
+void BodyTracker::settle(Clothes& clothes) {
+  std::vector<float> mine = clothes.mine, around = clothes.around;
+  for (std::vector<float>* of : {&mine, &around}) {
+    spread(*of, 256, 8);
+    spread(*of, 16, 16);
+    spread(*of, 1, 16);
+  }
+  for (std::size_t i = 0; i < kBins; ++i) clothes.likely[i] = mine[i] / (mine[i] + around[i] + kFew);
+}
+
+void BodyTracker::learn_colours(Clothes& clothes, const cv::Rect2d& whole) {
   const cv::Rect trunk = in_small(whole);
-  if (trunk.area() * scale_ * scale_ < 0.7 * whole.area() || trunk.width < kTrunkSide_px) return std::nullopt;
-  Clothes& clothes = people_[face.id];
   count(bins_(trunk), clothes.mine);
-  const cv::Rect ring = in_small(trunk_of(face, kRingHalf));
+  const double beside_px = (kRingHalf / kTrunkHalf - 1) / 2 * whole.width;
+  const cv::Rect ring = in_small({whole.x - beside_px, whole.y, whole.width + 2 * beside_px, whole.height});
   const cv::Rect left(ring.x, ring.y, std::max(0, trunk.x - trunk.width / 3 - ring.x), ring.height);
   const int right_x = trunk.x + trunk.width + trunk.width / 3;
   const cv::Rect right(right_x, ring.y, std::max(0, ring.x + ring.width - right_x), ring.height);
@@ -151,12 +166,23 @@ std::optional<BodyTracker::Body> BodyTracker::learn(const FacePercept& face) {
     if (side.area() > 0) count(bins_(side), clothes.around);
   settle(clothes);
   ++clothes.looks;
-  clothes.tellable = clothes.looks >= kClothesLooks && cv::mean(likelihood(clothes, trunk))[0] >= kTellable;
-  const auto body = find(face);
-  if (body && face.distance_m > 0 && body->width_px > 0 && !body->cut_off) {
-    const double width_px_m = body->width_px * face.distance_m;
-    clothes.width_px_m += (clothes.width_px_m == 0 ? 1 : 0.2) * (width_px_m - clothes.width_px_m);
-  }
+  const double enough = clothes.tellable ? kStillTellable : kTellable;
+  clothes.tellable = clothes.looks >= kClothesLooks && cv::mean(likelihood(clothes, trunk))[0] >= enough;
+}
+
+std::optional<BodyTracker::Body> BodyTracker::learn(const FacePercept& face) {
+  cv::Rect2d whole = trunk_of(face, kTrunkHalf);
+  const cv::Rect trunk = in_small(whole);
+  if (trunk.area() * scale_ * scale_ < 0.7 * whole.area() || trunk.width < kTrunkSide_px) return std::nullopt;
+  Clothes& clothes = people_[face.id];
+  // A face in profile is before its body: what is known of the clothes tells where that is.
+  if (const auto known = clothes.tellable ? measure(clothes, whole) : std::nullopt) whole.x = known->box_px.x;
+  learn_colours(clothes, whole);
+  const auto body = clothes.tellable ? measure(clothes, whole) : std::nullopt;
+  const auto settle_to = [](double& known, double seen) { known += (known == 0 ? 1 : 0.2) * (seen - known); };
+  if (body && face.distance_m > 0 && body->width_px > 0 && !body->cut_off)
+    settle_to(clothes.width_px_m, body->width_px * face.distance_m);
+  if (body && body->top_px) settle_to(clothes.top_share, (*body->top_px - face.y_px) / face.h_px);
   return body;
 }
 
@@ -191,27 +217,87 @@ cv::Mat BodyTracker::likelihood(const Clothes& clothes, const cv::Rect& area) co
   return out;
 }
 
+const BodyTracker::Clothes* BodyTracker::tellable(int id) const {
+  const auto found = people_.find(id);
+  return found == people_.end() || !found->second.tellable ? nullptr : &found->second;
+}
+
+/// The largest thing in the small picture that is like the clothes and reaches into these columns.
+std::optional<cv::Rect> BodyTracker::largest_like(const Clothes& clothes, int from_x, int to_x) const {
+  cv::Mat labels, stats, middles;
+  const cv::Mat like = likelihood(clothes, {{}, bins_.size()}) > kClothesLike;
+  const int count = cv::connectedComponentsWithStats(like, labels, stats, middles, 4);
+  cv::Rect best;
+  int most = 0;
+  for (int i = 1; i < count; ++i) {
+    const auto of = [&](int what) { return stats.at<int>(i, what); };
+    const cv::Rect box(of(cv::CC_STAT_LEFT), of(cv::CC_STAT_TOP), of(cv::CC_STAT_WIDTH),
+                       of(cv::CC_STAT_HEIGHT));
+    const int area = of(cv::CC_STAT_AREA);
+    const bool whole = area > kWhole * box.area() && box.width >= kTrunkSide_px;
+    if (!whole || area <= most || box.x >= to_x || box.x + box.width <= from_x) continue;
+    most = area;
+    best = box;
+  }
+  return most > 0 ? std::optional(best) : std::nullopt;
+}
+
+/// Measures where a trunk is when what is like its clothes has been found: as if their face were above it.
+std::optional<BodyTracker::Body> BodyTracker::measure_over(const Clothes& clothes, const cv::Rect& like,
+                                                           const FacePercept& face) const {
+  const cv::Rect2d seen(like.x * scale_, like.y * scale_, like.width * scale_, like.height * scale_);
+  const bool goes_above = like.y <= kAtEdge_px;
+  cv::Rect2d trunk = seen;
+  if (!goes_above && clothes.width_px_m > 0 && clothes.top_share > 0) {
+    FacePercept above = face;
+    const double times = seen.width * face.distance_m / clothes.width_px_m;
+    above.w_px *= times;
+    above.h_px *= times;
+    above.x_px = seen.x + seen.width / 2 - above.w_px / 2;
+    above.y_px = seen.y - clothes.top_share * above.h_px;
+    trunk = trunk_of(above, kTrunkHalf);
+  }
+  auto body = measure(clothes, trunk);
+  if (!body) return std::nullopt;
+  body->goes_above = goes_above;
+  // A hem tells where they are, not how far.
+  if (goes_above && seen.height < kTrunkVisible * seen.width) body->width_px = 0;
+  return body;
+}
+
+std::optional<BodyTracker::Body> BodyTracker::find(const FacePercept& face) const {
+  const Clothes* clothes = tellable(face.id);
+  if (clothes == nullptr) return std::nullopt;
+  const cv::Rect2d whole = trunk_of(face, kTrunkHalf);
+  const double reach_px = kClothesSearch_px * scale_ + kClothesSearchShare * whole.width;
+  const auto like = largest_like(*clothes, cvRound((whole.x - reach_px) / scale_),
+                                 cvRound((whole.x + whole.width + reach_px) / scale_));
+  return like ? measure_over(*clothes, *like, face) : std::nullopt;
+}
+
 std::optional<BodyTracker::Body> BodyTracker::find_again(const FacePercept& face) const {
-  const auto body = find(face, true);
+  const Clothes* clothes = tellable(face.id);
+  if (clothes == nullptr || clothes->width_px_m <= 0) return std::nullopt;
+  const auto like = largest_like(*clothes, 0, bins_.cols);
+  const auto body = like ? measure_over(*clothes, *like, face) : std::nullopt;
   if (!body || body->likeness < kClothesSurely || body->width_px <= 0 || body->cut_off) return std::nullopt;
-  const double width_px = people_.at(face.id).width_px_m / std::max(face.distance_m, 0.1);
-  const bool fits = body->width_px > kLeastAgain * width_px && body->width_px < kMostAgain * width_px;
+  // They have not gone farther than people walk.
+  const double walked_m = kWalks_mps * seconds(face.age);
+  const double away_m = distance_m(face.id, *body);
+  const bool fits =
+      away_m > kLeastAgain * face.distance_m - walked_m && away_m < kMostAgain * face.distance_m + walked_m;
   return fits ? body : std::nullopt;
 }
 
-std::optional<BodyTracker::Body> BodyTracker::find(const FacePercept& face, bool anywhere) const {
-  const auto found = people_.find(face.id);
-  if (found == people_.end() || !found->second.tellable) return std::nullopt;
-  const cv::Rect2d whole = trunk_of(face, kTrunkHalf);
+std::optional<BodyTracker::Body> BodyTracker::measure(const Clothes& clothes, const cv::Rect2d& whole) const {
   const cv::Rect band = in_small({0, whole.y, static_cast<double>(picture_.width), whole.height});
   const int width = std::max(kTrunkSide_px, cvRound(whole.width / scale_));
   if (band.width < width || band.height * scale_ < kTrunkVisible * whole.height) return std::nullopt;
   // Columns: the trunk stands upright.
   cv::Mat columns;
-  cv::reduce(likelihood(found->second, band), columns, 0, cv::REDUCE_AVG);
+  cv::reduce(likelihood(clothes, band), columns, 0, cv::REDUCE_AVG);
   const auto* column = columns.ptr<float>();
-  const int reach =
-      anywhere ? band.width : cvRound(kClothesSearch_px + kClothesSearchShare * whole.width / scale_);
+  const int reach = cvRound(kClothesSearchShare * whole.width / scale_);
   const int expected = cvRound(whole.x / scale_);
   const int first = std::clamp(expected - reach, 0, band.width - width);
   const int last = std::clamp(expected + reach, 0, band.width - width);
@@ -228,14 +314,17 @@ std::optional<BodyTracker::Body> BodyTracker::find(const FacePercept& face, bool
               whole_height && !everywhere ? (to - from) * scale_ : 0,
               from == 0 || to == band.width,
               best.likeness,
-              everywhere ? std::nullopt : top_px(found->second, {from, band.y, to - from, band.height})};
+              everywhere ? std::nullopt : top_px(clothes, {from, band.y, to - from, band.height})};
+}
+
+double BodyTracker::distance_m(int id, const Body& body) const {
+  const auto found = people_.find(id);
+  return found == people_.end() || body.width_px <= 0 ? 0 : found->second.width_px_m / body.width_px;
 }
 
 double BodyTracker::distance_m(int id, const Body& body, double expected_m) const {
-  const auto found = people_.find(id);
-  if (found == people_.end() || body.width_px <= 0) return 0;
-  const double seen_m = found->second.width_px_m / body.width_px;
-  if (body.cut_off && seen_m > expected_m) return 0;
+  const double seen_m = distance_m(id, body);
+  if (seen_m <= 0 || (body.cut_off && seen_m > expected_m)) return 0;
   return std::clamp(seen_m, kLeastJump * expected_m, kMostJump * expected_m);
 }
 

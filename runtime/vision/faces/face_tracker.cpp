@@ -13,8 +13,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr Micros kForgetAfter = 4 * kSecond;
-constexpr Micros kForgetClothesAfter = 15 * kSecond;  // which tell them again when the face does not
-constexpr Micros kLost = kSecond;
+constexpr Micros kForgetClothesAfter = 40 * kSecond;  // which tell them again when the face does not
+constexpr Micros kLost = 500 * kMillisecond;
 constexpr Micros kForgetNewAfter = 250 * kMillisecond;  // seen once only
 constexpr int kSureLooks = 2;
 constexpr double kPush_mps2 = 1.2;      // how hard people start, stop and turn, one sigma
@@ -24,6 +24,7 @@ constexpr double kOldSize = 3;              // times as unsure, of a box that wa
 constexpr double kElevation_rad = 0.012;    // the box's middle and the neck
 constexpr double kGrows_m_per_s05 = 0.004;  // what a walk and a bent head do to a height
 constexpr double kNearestBody_m = 0.3;      // nearer, the trunk fills the picture and anything passes for it
+constexpr double kOffRobot_m = 0.4;
 constexpr double kBodyBearing_rad = 0.03;
 constexpr double kBodyRangeShare = 0.2;  // looks that follow each other err alike
 constexpr double kMostOff_rad = 0.15;    // beyond it that was no edge of theirs
@@ -111,6 +112,18 @@ std::optional<FacePercept> FaceTracker::as_seen(const Track& track, const View& 
   face.v_O_mps = track.state.segment<2>(2);
   face.age = track.t - track.last_seen;
   return face;
+}
+
+/// Who is not seen has not walked into the robot, however they came.
+void FaceTracker::keep_off(Track& track, const Pose2& X_OR) {
+  const Vector2d here(X_OR.x_m, X_OR.y_m);
+  const Vector2d to = track.state.head<2>() - here;
+  const double away_m = to.norm();
+  if (away_m >= kOffRobot_m) return;
+  const Vector2d away =
+      away_m > 0 ? Vector2d(to / away_m) : Vector2d(std::cos(X_OR.heading_rad), std::sin(X_OR.heading_rad));
+  track.state.head<2>() = here + kOffRobot_m * away;
+  track.state.segment<2>(2).setZero();
 }
 
 /// After a loss: where they went in between nobody knows.
@@ -258,6 +271,15 @@ void FaceTracker::learn_top(const BodySeen& body, const NeckAngles& neck, const 
   known_m += (known_m == 0 ? 1 : kLearns) * (below_m - known_m);
 }
 
+/// Whose clothes go on above the picture is near.
+double FaceTracker::farthest_m(const Track& track, const BodySeen& body, const Vector3d& p_OC) {
+  constexpr double kAnywhere_m = 100, kFlat = 0.1, kTopShare = 0.95;
+  const double top_m = track.state[4] - track.top_below_m - p_OC.z();
+  const double rise = body.goes_above_rad ? std::tan(*body.goes_above_rad) : 0;
+  return track.top_below_m > 0 && rise > kFlat ? std::max(kNearestBody_m, kTopShare * top_m / rise)
+                                               : kAnywhere_m;
+}
+
 void FaceTracker::follow_bodies(const std::vector<BodySeen>& bodies, FacesPercept& seen,
                                 const NeckAngles& neck, const Pose2& X_OR) {
   const View here = view(seen, neck, X_OR);
@@ -266,20 +288,20 @@ void FaceTracker::follow_bodies(const std::vector<BodySeen>& bodies, FacesPercep
         std::find_if(tracks_.begin(), tracks_.end(), [&](const Track& t) { return t.id == body.id; });
     if (track == tracks_.end() || track->last_seen == seen.t_exposure) continue;
     const Vector2d now(track->state[0] - X_OR.x_m, track->state[1] - X_OR.y_m);
-    const double apart = body.distance_m > 0 ? body.distance_m : now.norm();
-    if (std::min(apart, now.norm()) < kNearestBody_m) continue;
+    const Vector3d lens = to_O(here.X_RC.translation(), X_OR);
+    const double seen_m = body.distance_m > 0 ? body.distance_m : now.norm();
+    const double apart = std::min(seen_m, farthest_m(*track, body, lens));
+    if (apart < kNearestBody_m) continue;
     const double angle = X_OR.heading_rad + body.bearing_rad;
     const Vector2d away(std::cos(angle), std::sin(angle));
-    const double range = body.distance_m > 0 ? kBodyRangeShare * apart : kNoRange_m;
+    const double range = body.distance_m > 0 || apart < seen_m ? kBodyRangeShare * apart : kNoRange_m;
     if (unseen(*track, seen.t_exposure) >= kLost)
       place_again(*track, Vector2d(X_OR.x_m, X_OR.y_m) + apart * away, range);
     observe(*track, Vector2d(X_OR.x_m, X_OR.y_m) + apart * away, away, range, kBodyBearing_rad * apart);
     const bool tops = body.top_elevation_rad && track->top_below_m > 0;
-    if (tops)
-      observe_elevation(*track, *body.top_elevation_rad, kTopElevation_rad, track->top_below_m,
-                        to_O(here.X_RC.translation(), X_OR));
+    if (tops) observe_elevation(*track, *body.top_elevation_rad, kTopElevation_rad, track->top_below_m, lens);
     // Nothing tells how fast they come or go.
-    if (body.distance_m <= 0 && !tops) track->state.segment<2>(2) *= kUnsureSpeedFades;
+    if (range == kNoRange_m && !tops) track->state.segment<2>(2) *= kUnsureSpeedFades;
     track->last_body = seen.t_exposure;
     auto face = as_seen(*track, here);
     if (!face) continue;
@@ -377,6 +399,8 @@ void FaceTracker::follow(FacesPercept& seen, const NeckAngles& neck, const Pose2
     seen.faces[j].p_O_m = tracks_.back().state.head<2>();
   }
   forget_old(seen.t_exposure);
+  for (Track& track : tracks_)
+    if (track.last_seen < seen.t_exposure) keep_off(track, X_OR);
   add_predicted(seen, here);
 }
 

@@ -38,6 +38,8 @@ class FaceTracker {
     double distance_m = 0;
     double likeness = 0;
     std::optional<double> top_elevation_rad{};
+    /// Of the picture's upper edge, where the clothes go on above it.
+    std::optional<double> goes_above_rad{};
   };
   /// How far below the face the clothes of somebody end whose face was seen in the newest picture.
   void learn_top(const BodySeen& body, const NeckAngles& neck, const Pose2& X_OR);
@@ -83,6 +85,7 @@ class FaceTracker {
                       double across_m);
   static void observe_elevation(Track& track, double elevation_rad, double sigma_rad, double below_face_m,
                                 const Eigen::Vector3d& p_OC);
+  static double farthest_m(const Track& track, const BodySeen& body, const Eigen::Vector3d& p_OC);
   static FacePercept made_whole(const FacePercept& face, const Track& track, const View& view);
   void correct(Track& track, const FacePercept& seen, const View& view, bool sized) const;
   Track begin(const FacePercept& face, const View& view, Micros t);
@@ -93,6 +96,7 @@ class FaceTracker {
   std::vector<Pair> pairs(const FacesPercept& seen, const View& here) const;
   void take(Track& track, FacePercept& face, const View& here, bool sized) const;
   static Micros unseen(const Track& track, Micros now);
+  static void keep_off(Track& track, const Pose2& X_OR);
   static void place_again(Track& track, const Eigen::Vector2d& p_O, double spread_m);
   void forget_old(Micros now);
   void add_predicted(FacesPercept& seen, const View& here) const;

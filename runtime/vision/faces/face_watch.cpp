@@ -53,29 +53,37 @@ void FaceWatch::follow_bodies(const Frame& frame, const NeckAngles& neck, const 
   const auto placed = [&](int id, const BodyTracker::Body& body) {
     const FacePercept trunk = finder_->place({body.box_px, body.likeness}, frame, neck);
     FaceTracker::BodySeen out{id, trunk.bearing_rad, 0, body.likeness, std::nullopt};
-    if (!body.top_px) return out;
-    const cv::Rect2d edge(body.box_px.x, *body.top_px - 1, body.box_px.width, 2);
-    out.top_elevation_rad = finder_->place({edge, body.likeness}, frame, neck).elevation_rad;
+    const auto elevation_rad = [&](double y_px) {
+      const cv::Rect2d edge(body.box_px.x, y_px - 1, body.box_px.width, 2);
+      return finder_->place({edge, body.likeness}, frame, neck).elevation_rad;
+    };
+    if (body.top_px) out.top_elevation_rad = elevation_rad(*body.top_px);
+    if (body.goes_above) out.goes_above_rad = elevation_rad(1);
     return out;
   };
   std::vector<FaceTracker::BodySeen> found;
-  const auto add = [&](const FacePercept& face, const std::optional<BodyTracker::Body>& body) {
-    const bool there =
-        std::any_of(found.begin(), found.end(), [&](const auto& f) { return f.id == face.id; });
-    if (!body || there) return;
-    found.push_back(placed(face.id, *body));
-    found.back().distance_m = bodies_.distance_m(face.id, *body, face.distance_m);
-  };
   for (const FacePercept& face : tracker_.expected(seen, neck, X_OR)) {
     const auto shown = std::find_if(seen.faces.begin(), seen.faces.end(), [&](const FacePercept& other) {
       return other.id == face.id && !other.predicted;
     });
-    if (shown == seen.faces.end())
-      add(face, bodies_.find(face));
-    else if (const auto body = bodies_.learn(*shown))
-      tracker_.learn_top(placed(face.id, *body), neck, X_OR);
+    const auto body = shown == seen.faces.end() ? bodies_.find(face) : bodies_.learn(*shown);
+    if (!body) continue;
+    const FaceTracker::BodySeen here = placed(face.id, *body);
+    if (shown != seen.faces.end()) {
+      tracker_.learn_top(here, neck, X_OR);
+      continue;
+    }
+    found.push_back(here);
+    found.back().distance_m = bodies_.distance_m(face.id, *body, face.distance_m);
   }
-  for (const FacePercept& face : tracker_.lost_ahead(seen, neck, X_OR)) add(face, bodies_.find_again(face));
+  for (const FacePercept& face : tracker_.lost_ahead(seen, neck, X_OR)) {
+    const bool there =
+        std::any_of(found.begin(), found.end(), [&](const auto& f) { return f.id == face.id; });
+    const auto body = there ? std::nullopt : bodies_.find_again(face);
+    if (!body) continue;
+    found.push_back(placed(face.id, *body));
+    found.back().distance_m = bodies_.distance_m(face.id, *body);
+  }
   tracker_.follow_bodies(found, seen, neck, X_OR);
 }
 

@@ -119,6 +119,16 @@ TEST_F(Memory, WhatIsNearerThanThePictureShowsIsNotCleared) {
   EXPECT_NEAR(at(0).distance_m, 0.15, 0.03);
 }
 
+TEST_F(Memory, WhatACameraThatLooksUpCutsOffBelowHasNoPlace) {
+  SonarPercept up = FlatRoom{}.look(pose_, 0, kFrame);
+  up.neck.tilt_rad = rad(-35);
+  for (SonarReading& reading : up.readings) reading = {reading.bearing_rad, Answer::blocked, 0.85, 0.1};
+  memory_.moved(kFrame, pose_);
+  memory_.observe(up);
+  EXPECT_TRUE(memory_.points().all().empty());
+  EXPECT_NE(at(0).answer, Answer::clear);
+}
+
 TEST_F(Memory, GetsLessSureByDrivingAndTurningAndNotByWaiting) {
   look({{{1.0, 0.3, 0.1}}}, 0, 2);
   const auto spread = [this] {

@@ -58,6 +58,7 @@ class Following : public ::testing::Test {
     face.distance_m = to.norm();
     face.elevation_rad = std::atan2(kFace_m - kLens_m, to.norm());
     face.p_O_m = person_;
+    face.v_O_mps = walk_mps_;
     faces_.faces.push_back(face);
   }
   void see_floor(Micros now) {
@@ -72,6 +73,7 @@ class Following : public ::testing::Test {
     const Micros end = clock_.now() + micros(for_s);
     while (clock_.now() < end) {
       drive_.step(10 * kMillisecond);
+      person_ += walk_mps_ * 0.01;
       neck_.step(10 * kMillisecond);
       clock_.set(clock_.now() + 10 * kMillisecond);
       const Micros now = clock_.now();
@@ -100,7 +102,7 @@ class Following : public ::testing::Test {
   Follower follower_{motion_, gaze_, watch_, config_};
   memory::VisualMemory memory_{config_};
   FacesPercept faces_;
-  Vector2d person_{1.0, 0};
+  Vector2d person_{1.0, 0}, walk_mps_{0, 0};
   bool shown_ = true;
 };
 
@@ -131,6 +133,20 @@ TEST_F(Following, LooksLowAtWhatBlocksTheWayCloseByAndDrivesOnWhenItHasGone) {
   follower_.person(1, {1, "b"});
   run(8);
   EXPECT_LT(away_m(), 1.2);
+}
+
+TEST_F(Following, KeepsFartherBehindWhoGoesAndNearerBeforeWhoComesForTheyMayTurnRound) {
+  follower_.person(1, {1, "b"});
+  run(2);
+  walk_mps_ = {0.25, 0};
+  run(6);
+  EXPECT_NEAR(away_m(), 1.08, 0.04);
+  walk_mps_ = {0, 0};
+  run(4);
+  EXPECT_NEAR(away_m(), 1, 0.04);
+  walk_mps_ = {-0.25, 0};
+  run(3);
+  EXPECT_NEAR(away_m(), 0.92, 0.05);
 }
 
 TEST_F(Following, SearchesAllRoundWithLooksThatAreHeldStill) {

@@ -161,6 +161,41 @@ TEST_F(FaceTrackerTest, WhereTheClothesEndTellsHowFarABackIs) {
   EXPECT_NEAR(seen.bodies.at(0).p_O_m.x(), person.x(), 0.1);
 }
 
+TEST_F(FaceTrackerTest, WhoseClothesGoOnAboveThePictureIsNear) {
+  const Eigen::Vector3d person(1.1, 0, 1.0);
+  int id = 0;
+  for (int i = 0; i < 40; ++i) {
+    id = shown({person}).faces.at(0).id;
+    const double lens_m = robot.X_RC(neck).translation().z();
+    tracker.learn_top({id, 0, 0, 0.8, std::atan2(person.z() - 0.16 - lens_m, person.x() - 0.05)}, neck, X_OR);
+  }
+  FacesPercept seen;
+  for (int i = 0; i < 20; ++i) {
+    seen = picture();
+    tracker.follow(seen, neck, X_OR);
+    tracker.follow_bodies({{id, 0, 2, 0.8, std::nullopt, rad(48)}}, seen, neck, X_OR);
+  }
+  EXPECT_LT(seen.bodies.at(0).p_O_m.x(), 0.65);
+}
+
+TEST_F(FaceTrackerTest, WhoCameNearUnseenIsFoundAgainByTheirClothes) {
+  Eigen::Vector3d person(1.0, 0, 0.55);
+  int id = 0;
+  for (int i = 0; i < 16; ++i) {
+    id = shown({person}).faces.at(0).id;
+    person.x() -= 0.5 * seconds(kPicture);
+  }
+  FacesPercept seen;
+  for (int i = 0; i < 30; ++i) seen = shown({});
+  for (int i = 0; i < 10; ++i) {
+    seen = picture();
+    tracker.follow(seen, neck, X_OR);
+    tracker.follow_bodies({{id, 0, 0.6, 0.8}}, seen, neck, X_OR);
+  }
+  ASSERT_EQ(seen.bodies.size(), 1u);
+  EXPECT_NEAR(seen.bodies[0].distance_m, 0.6, 0.1);
+}
+
 TEST_F(FaceTrackerTest, AFaceSeenOnceIsNotPredicted) {
   shown({{1.5, 0, 1.0}});
   EXPECT_TRUE(shown({}).faces.empty());
