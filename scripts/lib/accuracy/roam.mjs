@@ -15,7 +15,7 @@ export function section({ memory, view }) {
   const contacts = sum(memory.runs, 'contacts');
   return `## Roam and remember
 *Drive and avoid*, which steers by the visual memory, and *Avoid the obstacles*, which knows only what is in view: the
-same rooms and seeds, ${minutes} simulated minutes a run. The rooms are the laboratory's (`mirada lab distances`), by floor, light and number; nothing was tuned on them.
+same rooms and seeds, ${minutes} simulated minutes a run. The rooms are the laboratory's (*mirada lab distances*), by floor, light and number; nothing was tuned on them.
 
 | room | contacts | without memory | runs without contact | without memory | 25 cm squares a run | without memory |
 |---|---|---|---|---|---|---|
