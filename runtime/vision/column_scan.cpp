@@ -57,7 +57,7 @@ ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& sta
   const int top = std::max(span.top_row, span.horizon_row - kRowsPastHorizon);
   const Look foot = mean_look(column, span.bottom_row - kFloorShows + 1, span.bottom_row);
   if (!is_floor(foot)) {
-    if (const auto light = lights_.of(foot)) floor_.start(*light), foot_ = *light;
+    if (lights_.of(foot)) floor_.start(foot), foot_ = foot;
   }
   int evidence = 0;
   int first_odd = span.bottom_row;

@@ -159,6 +159,35 @@ TEST(VisualSonar, AnObstacleThatIsTakenAwayIsGoneAtOnce) {
   EXPECT_GT(at(look(), 0).distance_m, 1.0);
 }
 
+cv::Mat exposed(const cv::Mat& bgr, double factor) {
+  cv::Mat out;
+  bgr.convertTo(out, -1, factor);
+  return out;
+}
+
+TEST(VisualSonar, ACameraThatSetsItsExposureAnewStillKnowsTheFloor) {
+  for (const Floor floor : {Floor::plain, Floor::planks}) {
+    for (const double factor : {0.6, 1.35}) {
+      Scene scene = room_with_box(0.8, 0);
+      scene.floor = floor;
+      scene.floor_colour = floor == Floor::planks ? Eigen::Vector3d{0.08, 0.17, 0.3} : scene.floor_colour;
+      VisualSonar sonar(robot());
+      std::uint64_t number = 1;
+      const auto look = [&](double exposure) {
+        scene.seed = number;
+        const cv::Mat bgr = exposed(testing::render(scene, robot(), {}, {}), exposure);
+        return sonar.look(Frame{bgr, static_cast<Micros>(number * 50'000), number++}, {}, {});
+      };
+      for (int i = 0; i < 3; ++i) look(1);
+      for (int i = 0; i < 3; ++i) {
+        const SonarPercept percept = look(factor);
+        EXPECT_NEAR(at(percept, 0).distance_m, 0.7, 0.03) << factor;
+        EXPECT_GT(at(percept, 20).distance_m, 1.2) << factor;
+      }
+    }
+  }
+}
+
 TEST(VisualSonar, APictureTwiceTheSizeReadsTheSame) {
   const Scene scene = room_with_box(0.8, 0.1);
   RobotConfig large = robot();
