@@ -180,6 +180,16 @@ bool ColumnScan::lies_between(int column, int one, int other, int from_row, int 
          between(look.blue, a.blue, b.blue, tolerance_.colour);
 }
 
+bool ColumnScan::differ_in_colour(int column, int other, int from_row, int to_row) const {
+  constexpr int kClearly = 20;
+  constexpr int kRows = 3;  // round the middle one: less is mixed with what lies below and above
+  if (from_row - to_row < 2 * kRows) return false;
+  const int middle = (from_row + to_row) / 2;
+  const Look a = mean_look(column, middle - kRows / 2, middle + kRows / 2);
+  const Look b = mean_look(other, middle - kRows / 2, middle + kRows / 2);
+  return std::abs(a.red - b.red) > kClearly || std::abs(a.blue - b.blue) > kClearly;
+}
+
 double ColumnScan::change_between(int column, int other, int from_row, int to_row) const {
   int changed = 0;
   int rows = 0;

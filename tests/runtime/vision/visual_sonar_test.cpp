@@ -283,6 +283,32 @@ TEST(VisualSonar, AFieldLineCutOffByThePictureIsNoObstacleWhileDriving) {
   }
 }
 
+TEST(VisualSonar, ABoxInTheFloorsColourWhereALineGoesOnIsNoPartOfTheLine) {
+  Scene scene = room_with_box(0.8, 0);
+  scene.floor_colour = {0.3, 0.3, 0.3};
+  scene.boxes[0] = Box{0.75, 0, 0, 0.2, 0.3, 0.05, {0.22, 0.22, 0.22}};
+  for (const double left_m : {0.55, -0.55})
+    scene.boxes.push_back(Box{0.67, left_m, 0, 0.05, 0.8, 0.0005, {0.03, 0.03, 0.4}});
+  const SonarPercept percept = look_once(testing::render(scene, robot(), {}, {}));
+  for (const int bearing_deg : {-8, 0, 8}) EXPECT_NEAR(at(percept, bearing_deg).distance_m, 0.65, 0.04);
+  for (const int bearing_deg : {-25, 25}) EXPECT_GT(at(percept, bearing_deg).distance_m, 1.5);
+}
+
+TEST(VisualSonar, ALineThatThePicturesFootCutsOffIsNoObstacleWhileDriving) {
+  Scene scene = room_with_box(1.8, 0);
+  scene.floor_colour = {0.06, 0.22, 0.05};
+  VisualSonar sonar(robot());
+  for (std::uint64_t number = 1; number <= 4; ++number) {
+    scene.seed = number;
+    const Pose2 X_WR{0.1 * static_cast<double>(number), 0, 0};
+    if (number == 4) scene.boxes.push_back(Box{0.66, 0, rad(68), 1.6, 0.05, 0.0005, {0.02, 0.5, 0.6}});
+    const Frame frame{testing::render(scene, robot(), X_WR, {}), static_cast<Micros>(number), number};
+    const SonarPercept percept = sonar.look(frame, {}, X_WR);
+    for (const int bearing_deg : {-15, -8, 0, 8, 15})
+      EXPECT_GT(at(percept, bearing_deg).distance_m, 1.0) << bearing_deg << " in picture " << number;
+  }
+}
+
 TEST(VisualSonar, ThePapersMethodFindsItsGreenBorder) {
   Scene scene = room_with_box(0.8, 0);
   scene.boxes[0].colour = {0.05, 0.4, 0.1};
