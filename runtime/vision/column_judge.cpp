@@ -190,7 +190,7 @@ ColumnScan::Verdict ColumnScan::judge_shade(int column, int row, int top) {
   const int foot = std::min(row + 1 + kSurfaceRows, grid_.rows() - 1);
   const Look floor = foot > row + 3 ? mean_look(column, row + 2, foot) : floor_.look();
   const Eigen::Vector3d floor_bgr =
-      foot > row + 3 ? mean_colour(column, row + 2, foot) : PictureGrid::colour_of(floor);
+      foot > row + 3 ? mean_colour(column, row + 2, foot) : grid_.colour_shown(floor);
   const bool known_light = lights_.is_change(floor, shade);
   if (!known_light &&
       !is_shade_of(floor_bgr, mean_colour(column, settled - kSurfaceRows + 1, settled), careful))

@@ -57,7 +57,7 @@ ColumnResult ColumnScan::run(int column, const ColumnSpan& span, const Look& sta
   const int top = std::max(span.top_row, span.horizon_row - kRowsPastHorizon);
   const Look foot = mean_look(column, span.bottom_row - kFloorShows + 1, span.bottom_row);
   if (!is_floor(foot)) {
-    if (const auto light = lights_.of(foot)) floor_.start(*light), foot_ = *light;
+    if (lights_.of(foot)) floor_.start(foot), foot_ = foot;
   }
   int evidence = 0;
   int first_odd = span.bottom_row;
@@ -178,6 +178,16 @@ bool ColumnScan::lies_between(int column, int one, int other, int from_row, int 
   return between(look.light, a.light, b.light, tolerance_.light) &&
          between(look.red, a.red, b.red, tolerance_.colour) &&
          between(look.blue, a.blue, b.blue, tolerance_.colour);
+}
+
+bool ColumnScan::differ_in_colour(int column, int other, int from_row, int to_row) const {
+  constexpr int kClearly = 20;
+  constexpr int kRows = 3;  // round the middle one: less is mixed with what lies below and above
+  if (from_row - to_row < 2 * kRows) return false;
+  const int middle = (from_row + to_row) / 2;
+  const Look a = mean_look(column, middle - kRows / 2, middle + kRows / 2);
+  const Look b = mean_look(other, middle - kRows / 2, middle + kRows / 2);
+  return std::abs(a.red - b.red) > kClearly || std::abs(a.blue - b.blue) > kClearly;
 }
 
 double ColumnScan::change_between(int column, int other, int from_row, int to_row) const {

@@ -89,6 +89,8 @@ class ColumnScan {
   int columns() const { return grid_.columns(); }
   /// How much of the rows shows a change from one column to another.
   double change_between(int column, int other, int from_row, int to_row) const;
+  /// Whether the same rows of two columns are clearly of two colours.
+  bool differ_in_colour(int column, int other, int from_row, int to_row) const;
   /// Whether the rows of a column look like a mixture of the same rows of two others.
   bool lies_between(int column, int one, int other, int from_row, int to_row) const;
   /// Whether what stands in `strip_rows` above `foot_row` goes on up in another column, as high as a wall.

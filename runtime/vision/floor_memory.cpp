@@ -94,6 +94,8 @@ void FloorMemory::forget() {
   looks_.clear();
   lights_.forget();
   light_seen_.reset();
+  exposure_.forget();
+  seen_from_.reset();
   tones_.clear();
   trusted_ = false;
   lost_pictures_ = blind_pictures_ = 0;
@@ -132,7 +134,21 @@ void FloorMemory::scan_columns(const PictureGrid& grid, const std::vector<Column
   close_gaps(results);
 }
 
-bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
+/// Another part of the room is seen than in the picture before.
+bool FloorMemory::has_turned_away(const Place& place) const {
+  constexpr double kTurn_rad = 0.15;
+  return !seen_from_ || moved(place.X_OR, seen_from_->X_OR, kLostMove_m, kTurn_rad) ||
+         std::abs(place.neck.pan_rad - seen_from_->neck.pan_rad) > kTurn_rad ||
+         std::abs(place.neck.tilt_rad - seen_from_->neck.tilt_rad) > kTurn_rad;
+}
+
+/// From here on all looks are those of the exposure that the floor was learnt in.
+void FloorMemory::expose(PictureGrid& grid) {
+  study_.expose(exposure_.light() - grid.exposure());
+  grid.expose(exposure_.light());
+}
+
+bool FloorMemory::scan(PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
                        const ScanSettings& settings, const Pose2& X_OR, const NeckAngles& neck,
                        std::vector<ColumnResult>& results) {
   const Place place{X_OR, neck};
@@ -144,6 +160,7 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
   const bool first = !trusted_;
   if (first) {
     if (!shows_floor) return false;
+    exposure_.forget();
     looks_.clear();
     tones_.clear();
     study_.teach(looks_);
@@ -152,10 +169,19 @@ bool FloorMemory::scan(const PictureGrid& grid, const std::vector<ColumnSpan>& s
     lights_.start(home_);
     texture_ = study_.texture();
   }
+  if (!first && shows_floor)
+    exposure_.see(grid, spans, looks_, home_, study_.main_look(), !has_turned_away(place));
+  seen_from_ = place;
+  expose(grid);
   ColumnScan column_scan(grid, looks_, lights_, tones_, scale);
   column_scan.prepare(texture_, home_, settings);
   if (!first && shows_floor) see_lights(grid, spans, scale, place, column_scan);
   scan_columns(grid, spans, scale, home_, column_scan, results);
+  if (!first && exposure_.has_changed() && !plausible(results)) {
+    exposure_.take_back();
+    expose(grid);
+    scan_columns(grid, spans, scale, home_, column_scan, results);
+  }
   if (first) {
     // What this picture alone shows of a floor's other colours.
     if (learn_patches(grid, results)) scan_columns(grid, spans, scale, home_, column_scan, results);
@@ -287,6 +313,8 @@ void FloorMemory::see_lights(const PictureGrid& grid, const std::vector<ColumnSp
   FloorLights with = lights_;
   // Grey is everything's colour in some light.
   if (!with.see(study_.main_look(), has_colour(home_) ? How::beside_another : How::from_elsewhere)) {
+    // A light that does not count yet has to be seen from another place than this.
+    if (!lights_.of(study_.main_look()) && !light_seen_) light_seen_ = place;
     lights_ = with;
     return;
   }

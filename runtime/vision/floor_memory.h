@@ -4,6 +4,7 @@
 
 #include "model/geometry.h"
 #include "vision/column_scan.h"
+#include "vision/exposure_watch.h"
 #include "vision/floor_looks.h"
 #include "vision/floor_study.h"
 #include "vision/picture_grid.h"
@@ -19,7 +20,7 @@ class FloorMemory {
 
   /// Scans every column of a picture. False: this picture cannot be used or no floor is known that could be
   /// trusted; `results` mean nothing then.
-  bool scan(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
+  bool scan(PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
             const ScanSettings& settings, const Pose2& X_OR, const NeckAngles& neck,
             std::vector<ColumnResult>& results);
   /// Learns from the floor that scan() found in this picture, as far as `results` still call it floor.
@@ -32,6 +33,8 @@ class FloorMemory {
     NeckAngles neck;
   };
   bool is_frozen(const PictureGrid& grid, const Place& place);
+  bool has_turned_away(const Place& place) const;
+  void expose(PictureGrid& grid);
   void scan_columns(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
                     const Look& home, ColumnScan& scan, std::vector<ColumnResult>& results) const;
   bool learn_patches(const PictureGrid& grid, const std::vector<ColumnResult>& results);
@@ -49,6 +52,7 @@ class FloorMemory {
   FloorLooks looks_;
   FloorLights lights_;
   FloorTones tones_;
+  ExposureWatch exposure_;
   FloorStudy study_;
   FloorTexture texture_;
   Look home_;  ///< the look at the picture's foot, followed
@@ -62,7 +66,8 @@ class FloorMemory {
   std::vector<ColumnResult> blind_results_;
   std::optional<Place> light_seen_;  ///< where a light that does not count yet was looked at last
   std::uint64_t fingerprint_ = 0;
-  std::optional<Place> last_place_;
+  std::optional<Place> last_place_;  ///< of the picture that differs from the one before
+  std::optional<Place> seen_from_;   ///< the picture scanned last
 };
 
 }  // namespace mirada::vision

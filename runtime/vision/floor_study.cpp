@@ -182,6 +182,12 @@ FloorStudy::Verdict FloorStudy::run(const PictureGrid& grid, const std::vector<C
   return Verdict::floor;
 }
 
+void FloorStudy::expose(int light) {
+  main_look_.light -= light;
+  for (Sample& sample : samples_) sample.look.light -= light;
+  for (Group& group : groups_) group.light_sum -= light * group.size;
+}
+
 void FloorStudy::teach(FloorLooks& looks) const {
   for (int i = 0; i < kColumns; ++i) {
     for (int j = 0; j < heights_[static_cast<std::size_t>(i)]; ++j) {

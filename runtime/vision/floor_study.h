@@ -19,6 +19,8 @@ class FloorStudy {
   Verdict run(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
               const std::vector<double>& depth_m);
 
+  /// The strip as seen in a picture exposed darker by so many units of light.
+  void expose(int light);
   /// The look that most of the strip has.
   const Look& main_look() const { return main_look_; }
   const FloorTexture& texture() const { return texture_; }

@@ -143,6 +143,7 @@ void PictureGrid::close_line(int column, int first, int last) {
 
 void PictureGrid::look_at(const cv::Mat& bgr) {
   bgr_ = bgr;
+  exposure_ = 0;
   pixels_ = bgr_.ptr(pixels_down_ / 2);
   row_bytes_ = static_cast<std::ptrdiff_t>(bgr_.step) * pixels_down_;
   taps_touch_ = pixels_across_ == 4;

@@ -39,6 +39,10 @@ class PictureGrid {
   void stand(const Eigen::Vector3d& up_C);
   /// The picture to look at; it must live until the next call, be CV_8UC3 and of the prepared size.
   void look_at(const cv::Mat& bgr);
+  /// From here on looks are told as if the picture were exposed darker by so many units of light: as pictures
+  /// were that it is compared with. look_at() sets it back to 0.
+  void expose(int light) { exposure_ = light; }
+  int exposure() const { return exposure_; }
 
   /// Lines, from left to right.
   int columns() const { return columns_; }
@@ -65,6 +69,10 @@ class PictureGrid {
   /// B, G, R of one source pixel of a grid row.
   const std::uint8_t* pixel(int u_px, int row) const { return pixels_ + row_bytes_ * row + 3 * u_px; }
   int width_px() const { return bgr_.cols; }
+  /// The B, G, R that colour() says where look() says this, 0..255.
+  Eigen::Vector3d colour_shown(const Look& look) const {
+    return colour_of({look.light + exposure_, look.red, look.blue});
+  }
   /// The B, G, R that a look stands for, 0..255.
   static Eigen::Vector3d colour_of(const Look& look);
   /// Changes when any sampled pixel does: to notice a camera that repeats itself.
@@ -92,6 +100,7 @@ class PictureGrid {
   double spacing_rad_ = 0.015;
   int pixels_across_ = 4;
   int pixels_down_ = 1;
+  int exposure_ = 0;
   const std::uint8_t* pixels_ = nullptr;   ///< of bgr_, the first row that is sampled
   std::ptrdiff_t row_bytes_ = 0;           ///< from one grid row to the next
   bool taps_touch_ = true;                 ///< four neighbouring pixels
@@ -123,7 +132,7 @@ inline Look PictureGrid::look(int column, int row) const {
   const int b = log_[s.blue];
   const int g = log_[s.green];
   const int r = log_[s.red];
-  return {(r + 2 * g + b) >> 2, r - g + 128, b - g + 128};
+  return {((r + 2 * g + b) >> 2) - exposure_, r - g + 128, b - g + 128};
 }
 
 inline std::array<int, 3> PictureGrid::colour(int column, int row) const {

@@ -16,16 +16,16 @@ constexpr double kJump_m = 0.015;
 constexpr double kLongestBlind_m =
     0.5;  // farther than this without a look at the floor, "clear" would be a guess
 
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+double area(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// How far along the unit vector `ray` from the origin the segment a-b is crossed; NaN when it is not.
 /// `slack` is the share of the segment by which it may be missed.
 double crossing_m(const Vector2d& ray, const Vector2d& a, const Vector2d& b, double slack) {
   const Vector2d along = b - a;
-  const double slant = cross(ray, along);
+  const double slant = area(ray, along);
   if (std::abs(slant) < 1e-12) return kNan;
-  const double share = cross(a, ray) / slant;
-  const double distance_m = cross(a, along) / slant;
+  const double share = area(a, ray) / slant;
+  const double distance_m = area(a, along) / slant;
   return share >= -slack && share <= 1 + slack && distance_m > 0 ? distance_m : kNan;
 }
 

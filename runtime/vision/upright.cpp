@@ -36,10 +36,16 @@ bool overlap(const Crossing& a, const Crossing& b) {
   return shared >= kOverlap * lower && lower >= kAlike * std::max(height(a), height(b));
 }
 
-const Crossing* beside(const Crossing& c, const ColumnResult& next) {
+/// What was crossed in the column beside as a part of the same thing. A book that lies where a painted line
+/// goes on is no part of the line.
+const Crossing* beside(const ColumnScan& scan, const Crossing& c, int column, int other_column,
+                       const ColumnResult& next) {
   for (int i = 0; i < next.crossing_count; ++i) {
     const Crossing& other = next.crossings[static_cast<std::size_t>(i)];
-    if (overlap(c, other)) return &other;
+    if (!overlap(c, other)) continue;
+    const int from_row = std::min(c.from_row, other.from_row);
+    const int to_row = std::max(c.to_row, other.to_row);
+    if (!scan.differ_in_colour(column, other_column, from_row, to_row)) return &other;
   }
   return nullptr;
 }
@@ -57,10 +63,12 @@ enum class Side {
 struct Heights {
   double sum = 0, squares = 0;
   int count = 0;
+  int tallest_rows = 0;
 
   void add(const Crossing& c) {
     const double m = static_cast<double>(c.upright_m);
     sum += m, squares += m * m, ++count;
+    tallest_rows = std::max(tallest_rows, height(c));
   }
   bool vary() const {
     const double mean = sum / count;
@@ -89,7 +97,7 @@ Side side_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
   int column = start;
   const int count = static_cast<int>(results.size());
   for (int next = start + step; next >= 0 && next < count; next += step) {
-    const Crossing* c = beside(*before[0], results[static_cast<std::size_t>(next)]);
+    const Crossing* c = beside(scan, *before[0], next - step, next, results[static_cast<std::size_t>(next)]);
     if (!c) break;
     std::move_backward(before, before + kRun - 1, before + kRun);
     before[0] = c;
@@ -124,6 +132,9 @@ Side side_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
   if (end.from_row - to_row < kSeenShare * height(end)) return Side::unknown;
   int tallest = 0;
   for (int i = 0; i < known; ++i) tallest = std::max(tallest, height(*before[i]));
+  // The picture's foot cuts it off, aslant if it lies on the floor.
+  if (end.from_row >= spans[static_cast<std::size_t>(column)].bottom_row)
+    tallest = std::max(tallest, heights.tallest_rows);
   const double round = end.large ? kRound : 1;
   const bool tall = height(end) >= round * kTallAtOnce * tallest ||
                     (known > 1 && height(*before[1]) >= round * kTallAfterOne * tallest && tallest > 0);

@@ -12,7 +12,7 @@ namespace {
 constexpr int kCells = 6;  // a side
 constexpr int kUniform = 58;
 constexpr int kBinsACell = kUniform + 1;  // the last one: all that are not uniform
-constexpr int kReach_px = 2;
+constexpr int kRing_px = 2;
 
 /// Bins of the 256 patterns; uniform are those with at most two changes round the circle.
 std::array<int, 256> pattern_bins() {
@@ -33,7 +33,7 @@ unsigned pattern_at(const cv::Mat& grey, int x, int y) {
   unsigned out = 0;
   for (std::size_t i = 0; i < kRing.size(); ++i) {
     const auto [dx, dy] = kRing[i];
-    if (grey.at<std::uint8_t>(y + kReach_px * dy, x + kReach_px * dx) >= middle) out |= 1U << i;
+    if (grey.at<std::uint8_t>(y + kRing_px * dy, x + kRing_px * dx) >= middle) out |= 1U << i;
   }
   return out;
 }
@@ -45,8 +45,8 @@ std::vector<float> local_patterns(const cv::Mat& grey) {
   cv::Mat smooth;
   cv::GaussianBlur(grey, smooth, {0, 0}, 1.0);
   std::vector<float> out(static_cast<std::size_t>(kCells * kCells * kBinsACell), 0.F);
-  for (int y = kReach_px; y < smooth.rows - kReach_px; ++y) {
-    for (int x = kReach_px; x < smooth.cols - kReach_px; ++x) {
+  for (int y = kRing_px; y < smooth.rows - kRing_px; ++y) {
+    for (int x = kRing_px; x < smooth.cols - kRing_px; ++x) {
       const int cell = y * kCells / smooth.rows * kCells + x * kCells / smooth.cols;
       out[static_cast<std::size_t>(cell * kBinsACell + kBins[pattern_at(smooth, x, y)])] += 1;
     }

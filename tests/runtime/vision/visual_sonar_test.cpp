@@ -159,6 +159,35 @@ TEST(VisualSonar, AnObstacleThatIsTakenAwayIsGoneAtOnce) {
   EXPECT_GT(at(look(), 0).distance_m, 1.0);
 }
 
+cv::Mat exposed(const cv::Mat& bgr, double factor) {
+  cv::Mat out;
+  bgr.convertTo(out, -1, factor);
+  return out;
+}
+
+TEST(VisualSonar, ACameraThatSetsItsExposureAnewStillKnowsTheFloor) {
+  for (const Floor floor : {Floor::plain, Floor::planks}) {
+    for (const double factor : {0.6, 1.35}) {
+      Scene scene = room_with_box(0.8, 0);
+      scene.floor = floor;
+      scene.floor_colour = floor == Floor::planks ? Eigen::Vector3d{0.08, 0.17, 0.3} : scene.floor_colour;
+      VisualSonar sonar(robot());
+      std::uint64_t number = 1;
+      const auto look = [&](double exposure) {
+        scene.seed = number;
+        const cv::Mat bgr = exposed(testing::render(scene, robot(), {}, {}), exposure);
+        return sonar.look(Frame{bgr, static_cast<Micros>(number * 50'000), number++}, {}, {});
+      };
+      for (int i = 0; i < 3; ++i) look(1);
+      for (int i = 0; i < 3; ++i) {
+        const SonarPercept percept = look(factor);
+        EXPECT_NEAR(at(percept, 0).distance_m, 0.7, 0.03) << factor;
+        EXPECT_GT(at(percept, 20).distance_m, 1.2) << factor;
+      }
+    }
+  }
+}
+
 TEST(VisualSonar, APictureTwiceTheSizeReadsTheSame) {
   const Scene scene = room_with_box(0.8, 0.1);
   RobotConfig large = robot();
@@ -250,6 +279,32 @@ TEST(VisualSonar, AFieldLineCutOffByThePictureIsNoObstacleWhileDriving) {
     const Frame frame{testing::render(scene, robot(), X_WR, {}), static_cast<Micros>(number), number};
     const SonarPercept percept = sonar.look(frame, {}, X_WR);
     for (const int bearing_deg : {-15, 0, 15})
+      EXPECT_GT(at(percept, bearing_deg).distance_m, 1.0) << bearing_deg << " in picture " << number;
+  }
+}
+
+TEST(VisualSonar, ABoxInTheFloorsColourWhereALineGoesOnIsNoPartOfTheLine) {
+  Scene scene = room_with_box(0.8, 0);
+  scene.floor_colour = {0.3, 0.3, 0.3};
+  scene.boxes[0] = Box{0.75, 0, 0, 0.2, 0.3, 0.05, {0.22, 0.22, 0.22}};
+  for (const double left_m : {0.55, -0.55})
+    scene.boxes.push_back(Box{0.67, left_m, 0, 0.05, 0.8, 0.0005, {0.03, 0.03, 0.4}});
+  const SonarPercept percept = look_once(testing::render(scene, robot(), {}, {}));
+  for (const int bearing_deg : {-8, 0, 8}) EXPECT_NEAR(at(percept, bearing_deg).distance_m, 0.65, 0.04);
+  for (const int bearing_deg : {-25, 25}) EXPECT_GT(at(percept, bearing_deg).distance_m, 1.5);
+}
+
+TEST(VisualSonar, ALineThatThePicturesFootCutsOffIsNoObstacleWhileDriving) {
+  Scene scene = room_with_box(1.8, 0);
+  scene.floor_colour = {0.06, 0.22, 0.05};
+  VisualSonar sonar(robot());
+  for (std::uint64_t number = 1; number <= 4; ++number) {
+    scene.seed = number;
+    const Pose2 X_WR{0.1 * static_cast<double>(number), 0, 0};
+    if (number == 4) scene.boxes.push_back(Box{0.66, 0, rad(68), 1.6, 0.05, 0.0005, {0.02, 0.5, 0.6}});
+    const Frame frame{testing::render(scene, robot(), X_WR, {}), static_cast<Micros>(number), number};
+    const SonarPercept percept = sonar.look(frame, {}, X_WR);
+    for (const int bearing_deg : {-15, -8, 0, 8, 15})
       EXPECT_GT(at(percept, bearing_deg).distance_m, 1.0) << bearing_deg << " in picture " << number;
   }
 }
