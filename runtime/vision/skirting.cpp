@@ -23,9 +23,11 @@ constexpr int kBoardFloorRows = 10;   // below the foot, at most
 constexpr int kMostBoardRows = 120;
 constexpr float kSmallestStep = 3.5F;  // Look units
 constexpr float kJointStep = 2;
-constexpr float kCertain = 5;   // times the standard error
-constexpr float kSameSpot = 3;  // neighbouring columns that show the same spot of a floor
-constexpr double kVotes = 0.8;  // of the columns that are asked
+constexpr float kVaries = 0.4F;     // Look units from column to column: more than noise
+constexpr float kEvenBoard = 0.7F;  // of how much the floor before it varies
+constexpr float kCertain = 5;       // times the standard error
+constexpr float kSameSpot = 3;      // neighbouring columns that show the same spot of a floor
+constexpr double kVotes = 0.8;      // of the columns that are asked
 
 /// Sums of the looks of one column, row by row downwards from where the floor was said to end.
 class Downwards {
@@ -60,6 +62,10 @@ struct Steps {
   LookMean across = LookMean::Zero();  ///< the same with a joint's width left out
   LookMean joint = LookMean::Zero();   ///< what lies between them against that floor
   LookMean squares = LookMean::Zero();
+  float board_varies = 0;  ///< sum of the light's differences from column to column
+  float floor_varies = 0;
+  float last_board = 0;
+  float last_floor = 0;
   int votes = 0;
 
   void add(const Downwards& column, int board_rows, int joint_rows) {
@@ -70,6 +76,14 @@ struct Steps {
     const LookMean step =
         column.mean(board_rows - kFootEdgeRows, board_rows) - column.mean(below, below + kFootEdgeRows);
     edge += step;
+    const float on_board = column.mean(1, board_rows)[0];
+    const float on_floor = column.mean(beyond, beyond + floor_rows)[0];
+    if (votes > 0) {
+      board_varies += std::abs(on_board - last_board);
+      floor_varies += std::abs(on_floor - last_floor);
+    }
+    last_board = on_board;
+    last_floor = on_floor;
     across +=
         column.mean(board_rows - kFootEdgeRows, board_rows) - column.mean(beyond, beyond + kFootEdgeRows);
     squares += step * step;
@@ -83,10 +97,15 @@ struct Steps {
     const LookMean high = whole.max(0) + kJointStep * static_cast<float>(votes);
     return (joint < low || joint > high).any();
   }
+  /// Painted all alike along the wall, or nothing else is either: the next row of tiles varies as this one
+  /// does.
+  bool is_even() const {
+    return floor_varies < kVaries * static_cast<float>(votes) || board_varies < kEvenBoard * floor_varies;
+  }
   /// How clear a step there is; 0: none.
   float clearness(int asked) const {
     const auto n = static_cast<float>(votes);
-    if (votes < kVotes * asked || votes == 0 || is_joint()) return 0;
+    if (votes < kVotes * asked || votes == 0 || is_joint() || !is_even()) return 0;
     const LookMean mean = edge / n;
     const LookMean sigma = (squares / n - mean * mean).max(1).sqrt();
     float best = 0;

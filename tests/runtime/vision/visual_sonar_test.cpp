@@ -241,6 +241,25 @@ TEST(VisualSonar, ASkirtingBoardInNearlyTheFloorsLookIsTheFootOfTheWall) {
   }
 }
 
+TEST(VisualSonar, TheNextRowOfTilesIsNoSkirtingBoard) {
+  Scene scene;
+  scene.floor_colour = {0.4, 0.4, 0.4};
+  scene.wall_colour = {0.1, 0.25, 0.15};
+  scene.room_x_m = 0.8;
+  cv::Mat bgr = testing::render(scene, robot(), {}, {});
+  // The rows from the wall's foot to 0.55 m are one row of tiles, a little darker; tiles vary side by side.
+  constexpr int kFootRow = 87, kNextRow = 120;
+  for (int v = kFootRow; v < bgr.rows; ++v) {
+    for (int u = 0; u < bgr.cols; ++u) {
+      const int tile = (u / 23 * 7) % 4 - 2;
+      bgr.at<cv::Vec3b>(v, u) += cv::Vec3b::all(static_cast<uchar>(20 + 3 * tile - (v < kNextRow ? 12 : 0)));
+    }
+  }
+  const SonarPercept percept = look_once(bgr);
+  for (const int bearing_deg : {-10, 0, 10})
+    EXPECT_NEAR(at(percept, bearing_deg).distance_m, 0.8 / std::cos(rad(bearing_deg)), 0.05) << bearing_deg;
+}
+
 TEST(VisualSonar, APaintedLineIsAnObstacleOnlyWhenAskedFor) {
   Scene scene;
   scene.floor = Floor::field;
