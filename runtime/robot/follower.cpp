@@ -229,16 +229,17 @@ WheelSpeeds Follower::wheels(const Sight& sight, double bearing_rad, double away
   constexpr double kKeepGain_per_s = 2.0;
   constexpr double kBackMost_mps = 0.35;
   constexpr double kSlack_m = 0.02;
-  constexpr double kHeadway_s = 0.35, kHeadwayMost = 0.12;
+  constexpr double kBehind_s = 0.15, kBefore_s = 0.35, kHeadwayMost = 0.12;
   const Vector2d away(std::cos(sight.X_OR.heading_rad + bearing_rad),
                       std::sin(sight.X_OR.heading_rad + bearing_rad));
   // What they were doing when they were last seen.
   const double theirs =
       target_ ? target_->v_O_mps.dot(away) * std::exp(-seconds(sight.now - target_->t) / kWalkFades_s) : 0;
-  // Who walks may turn round: behind somebody who goes it keeps farther off, before somebody who comes
-  // nearer.
+  // Who walks may turn round: behind somebody who goes it keeps a little farther off, before somebody who
+  // comes nearer, for it falls back no faster than they come.
   const double most_m = kHeadwayMost * keep_m_;
-  const double off_m = away_m - keep_m_ - std::clamp(kHeadway_s * theirs, -most_m, most_m);
+  const double off_m =
+      away_m - keep_m_ - std::clamp((theirs > 0 ? kBehind_s : kBefore_s) * theirs, -most_m, most_m);
   double forward = theirs + kKeepGain_per_s * (std::abs(off_m) > kSlack_m ? off_m : 0);
   wants_to_drive_ = forward > 0.03;
   const double way_rad =

@@ -45,40 +45,35 @@ int mixed(int before, int now) { return (3 * before + now) / 4; }
 }  // namespace
 
 void FloorLights::start(const Look& look) {
-  lights_[0] = {look, true};
+  lights_[0] = look;
   count_ = 1;
 }
 
-FloorLights::Light* FloorLights::nearest(const Look& look) {
-  Light* best = nullptr;
+Look* FloorLights::nearest(const Look& look) {
+  Look* best = nullptr;
   for (std::size_t i = 0; i < count_; ++i) {
-    Light& light = lights_[i];
-    if (!is_same_light(light.look, look)) continue;
-    if (!best || std::abs(light.look.light - look.light) < std::abs(best->look.light - look.light))
-      best = &light;
+    Look& light = lights_[i];
+    if (!is_same_light(light, look)) continue;
+    if (!best || std::abs(light.light - look.light) < std::abs(best->light - look.light)) best = &light;
   }
   return best;
 }
 
-bool FloorLights::see(const Look& look, How how) {
-  if (count_ == 0) return false;
-  if (Light* light = nearest(look)) {
-    const bool is_new = !light->counts;
-    light->counts = true;
-    light->look = {mixed(light->look.light, look.light), mixed(light->look.red, look.red),
-                   mixed(light->look.blue, look.blue)};
-    return is_new;
+void FloorLights::see(const Look& look) {
+  if (count_ == 0) return;
+  if (Look* light = nearest(look)) {
+    *light = {mixed(light->light, look.light), mixed(light->red, look.red), mixed(light->blue, look.blue)};
+    return;
   }
-  const Look& first = lights_[0].look;
-  if (!same_colour(first, look) || std::abs(first.light - look.light) > kMostChange) return false;
+  const Look& first = lights_[0];
+  if (!same_colour(first, look) || std::abs(first.light - look.light) > kMostChange) return;
   if (count_ == kMost) --count_;
-  lights_[count_++] = {look, how == How::beside_another};
-  return true;
+  lights_[count_++] = look;
 }
 
 std::optional<Look> FloorLights::of(const Look& look) const {
   for (std::size_t i = 0; i < count_; ++i)
-    if (lights_[i].counts && is_same_light(lights_[i].look, look)) return lights_[i].look;
+    if (is_same_light(lights_[i], look)) return lights_[i];
   return std::nullopt;
 }
 
@@ -90,8 +85,7 @@ bool FloorLights::is_change(const Look& from, const Look& to) const {
 
 int FloorLights::brightest() const {
   int out = 0;
-  for (std::size_t i = 0; i < count_; ++i)
-    if (lights_[i].counts) out = std::max(out, lights_[i].look.light);
+  for (std::size_t i = 0; i < count_; ++i) out = std::max(out, lights_[i].light);
   return out;
 }
 

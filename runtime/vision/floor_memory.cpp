@@ -18,7 +18,6 @@ constexpr int kFadeEvery = 16;
 constexpr int kLostPictures = 10;
 constexpr double kLostMove_m = 0.15;
 constexpr double kLostTurn_rad = 0.35;
-constexpr double kLightMove_m = 0.05;
 constexpr int kToneRows = 4;
 
 bool moved(const Pose2& a, const Pose2& b, double by_m, double by_rad) {
@@ -93,7 +92,6 @@ bool plausible(const std::vector<ColumnResult>& results) {
 void FloorMemory::forget() {
   looks_.clear();
   lights_.forget();
-  light_seen_.reset();
   exposure_.forget();
   seen_from_.reset();
   tones_.clear();
@@ -175,7 +173,6 @@ bool FloorMemory::scan(PictureGrid& grid, const std::vector<ColumnSpan>& spans, 
   expose(grid);
   ColumnScan column_scan(grid, looks_, lights_, tones_, scale);
   column_scan.prepare(texture_, home_, settings);
-  if (!first && shows_floor) see_lights(grid, spans, scale, place, column_scan);
   scan_columns(grid, spans, scale, home_, column_scan, results);
   if (!first && exposure_.has_changed() && !plausible(results)) {
     exposure_.take_back();
@@ -276,11 +273,6 @@ void FloorMemory::learn_tones(const PictureGrid& grid, const std::vector<ColumnS
   }
 }
 
-bool FloorMemory::is_elsewhere(const Place& place) const {
-  return !light_seen_ || moved(place.X_OR, light_seen_->X_OR, kLightMove_m, kLostTurn_rad) ||
-         std::abs(place.neck.pan_rad - light_seen_->neck.pan_rad) > kLostTurn_rad;
-}
-
 /// What was crossed in many columns side by side as the floor in another light is one of its lights.
 void FloorMemory::see_crossed_lights(const PictureGrid& grid, const std::vector<ColumnResult>& results) {
   constexpr int kBin = 12;
@@ -301,29 +293,8 @@ void FloorMemory::see_crossed_lights(const PictureGrid& grid, const std::vector<
   for (const Sum& sum : sums) {
     if (sum.count < kEnoughColumns) continue;
     const Look look{sum.light / sum.count, sum.red / sum.count, sum.blue / sum.count};
-    lights_.see(look, FloorLights::How::beside_another);
+    lights_.see(look);
   }
-}
-
-/// The main look of what lies before the robot, in the floor's colour, is one of its lights if, walked from
-/// there, it gives way to other things below the horizon.
-void FloorMemory::see_lights(const PictureGrid& grid, const std::vector<ColumnSpan>& spans,
-                             const RowScale& scale, const Place& place, ColumnScan& scan) {
-  using How = FloorLights::How;
-  FloorLights with = lights_;
-  // Grey is everything's colour in some light.
-  if (!with.see(study_.main_look(), has_colour(home_) ? How::beside_another : How::from_elsewhere)) {
-    // A light that does not count yet has to be seen from another place than this.
-    if (!lights_.of(study_.main_look()) && !light_seen_) light_seen_ = place;
-    lights_ = with;
-    return;
-  }
-  // From the same place it would be judged the same again.
-  if (!is_elsewhere(place)) return;
-  light_seen_ = place;
-  blind_results_.resize(spans.size());
-  scan_columns(grid, spans, scale, study_.main_look(), scan, blind_results_);
-  if (plausible(blind_results_)) lights_ = with;
 }
 
 /// What lies before the robot has the floor's colour in another light. Grey is everything's colour in some

@@ -39,9 +39,6 @@ class FloorMemory {
                     const Look& home, ColumnScan& scan, std::vector<ColumnResult>& results) const;
   bool learn_patches(const PictureGrid& grid, const std::vector<ColumnResult>& results);
   bool blind_all_round(const std::vector<ColumnResult>& results, const Place& place);
-  void see_lights(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
-                  const Place& place, ColumnScan& scan);
-  bool is_elsewhere(const Place& place) const;
   void see_crossed_lights(const PictureGrid& grid, const std::vector<ColumnResult>& results);
   void learn_tones(const PictureGrid& grid, const std::vector<ColumnSpan>& spans, const RowScale& scale,
                    const std::vector<ColumnResult>& results);
@@ -64,7 +61,6 @@ class FloorMemory {
   int blind_pictures_ = 0;
   Place blind_since_;
   std::vector<ColumnResult> blind_results_;
-  std::optional<Place> light_seen_;  ///< where a light that does not count yet was looked at last
   std::uint64_t fingerprint_ = 0;
   std::optional<Place> last_place_;  ///< of the picture that differs from the one before
   std::optional<Place> seen_from_;   ///< the picture scanned last

@@ -8,28 +8,17 @@
 namespace mirada::vision {
 namespace {
 
-using How = FloorLights::How;
-
 const Look kLit{170, 126, 122};
 const Look kShaded{122, 126, 122};
 
-TEST(FloorLights, ANewLightCountsOnceItWasSeenFromTwoPlaces) {
+TEST(FloorLights, ALightBesideAKnownOneIsKnown) {
   FloorLights lights;
   lights.start(kShaded);
-  EXPECT_TRUE(lights.of(kShaded));
-  EXPECT_TRUE(lights.see(kLit, How::from_elsewhere));
   EXPECT_FALSE(lights.of(kLit));
-  EXPECT_TRUE(lights.see(kLit, How::from_elsewhere));
+  lights.see(kLit);
   ASSERT_TRUE(lights.of(kLit));
   EXPECT_EQ(lights.of(kLit)->light, kLit.light);
   EXPECT_EQ(lights.brightest(), kLit.light);
-  EXPECT_FALSE(lights.see(kLit, How::from_elsewhere));
-}
-
-TEST(FloorLights, BesideAKnownLightOneLookIsEnough) {
-  FloorLights lights;
-  lights.start(kShaded);
-  lights.see(kLit, How::beside_another);
   EXPECT_TRUE(lights.is_change(kShaded, kLit));
   EXPECT_TRUE(lights.is_change(kLit, kShaded));
   EXPECT_FALSE(lights.is_change(kLit, kLit));
@@ -40,9 +29,9 @@ TEST(FloorLights, BesideAKnownLightOneLookIsEnough) {
 TEST(FloorLights, AnotherColourOrMoreThanAThirdOfTheLightIsNoLightOfTheFloor) {
   FloorLights lights;
   lights.start(kShaded);
-  lights.see({170, 134, 114}, How::beside_another);
+  lights.see({170, 134, 114});
   EXPECT_FALSE(lights.of({170, 134, 114}));
-  lights.see({kShaded.light + 90, 126, 122}, How::beside_another);
+  lights.see({kShaded.light + 90, 126, 122});
   EXPECT_FALSE(lights.of({kShaded.light + 90, 126, 122}));
 }
 
@@ -50,9 +39,9 @@ TEST(FloorLights, AGlossThatWhitensAClearColourIsTheSameFloor) {
   const Look wood{156, 150, 103};
   FloorLights lights;
   lights.start(wood);
-  lights.see({178, 144, 110}, How::beside_another);
+  lights.see({178, 144, 110});
   EXPECT_TRUE(lights.of({178, 144, 110}));
-  lights.see({178, 110, 140}, How::beside_another);
+  lights.see({178, 110, 140});
   EXPECT_FALSE(lights.of({178, 110, 140}));
 }
 
