@@ -42,8 +42,8 @@ class Pilot {
   Wish roam_wish(Micros now, const memory::VisualMemory& memory, const memory::Corridors& ways);
   Wish wall_wish(const memory::VisualMemory& memory, const memory::Corridors& ways);
   Wish goal_wish(Micros now, const memory::VisualMemory& memory, const memory::Corridors& ways);
-  std::optional<double> explore(Micros now, const memory::VisualMemory& memory,
-                                const memory::Corridors& ways);
+  void explore(Micros now, const memory::VisualMemory& memory);
+  void note_visit(Micros now, const Eigen::Vector2d& p_O_m);
   double freshness(Micros now, const Eigen::Vector2d& p_O_m) const;
   double novelty(Micros now, const memory::VisualMemory& memory, double bearing_rad, double free_m) const;
   double carrot_rad(const memory::VisualMemory& memory, const memory::Corridors& ways) const;

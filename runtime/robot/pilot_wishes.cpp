@@ -67,10 +67,14 @@ double Pilot::novelty(Micros now, const memory::VisualMemory& memory, double bea
   return fresh * kVisit_m / kFarWay_m;
 }
 
-/// The bearing towards the place best worth going to, when there is a way.
-std::optional<double> Pilot::explore(Micros now, const memory::VisualMemory& memory,
-                                     const memory::Corridors& ways) {
-  if (fresh_O_m_ && now - fresh_since_ > kGiveUp) visited_[square(*fresh_O_m_)] = now;
+void Pilot::note_visit(Micros now, const Vector2d& p_O_m) {
+  const auto at = square(p_O_m);
+  if (visited_.size() < kMostVisited || visited_.contains(at)) visited_[at] = now;
+}
+
+/// Plans the way to the place best worth going to.
+void Pilot::explore(Micros now, const memory::VisualMemory& memory) {
+  if (fresh_O_m_ && now - fresh_since_ > kGiveUp) note_visit(now, *fresh_O_m_);
   const double heading = memory.X_OR().heading_rad;
   const Vector2d ahead(std::cos(heading), std::sin(heading));
   route_ = memory::route_to_best(memory, radius_m_, [&](const Vector2d& p_O_m) {
@@ -81,21 +85,25 @@ std::optional<double> Pilot::explore(Micros now, const memory::VisualMemory& mem
   });
   if (route_.steps_O_m.empty()) {
     fresh_O_m_.reset();
-    return std::nullopt;
+    return;
   }
   const Vector2d& end = route_.steps_O_m.back();
   if (!fresh_O_m_ || square(*fresh_O_m_) != square(end)) fresh_since_ = now;
   fresh_O_m_ = end;
-  return carrot_rad(memory, ways);
 }
 
 Pilot::Wish Pilot::roam_wish(Micros now, const memory::VisualMemory& memory, const memory::Corridors& ways) {
-  if (visited_.size() < kMostVisited) visited_[square(here(memory))] = now;
+  note_visit(now, here(memory));
   const double heading = memory.X_OR().heading_rad;
   const double last_rad = heading_O_rad_ ? wrap_rad(*heading_O_rad_ - heading) : 0;
   const bool good = heading_O_rad_ && ways.free_m(last_rad) > kGoodWay_m;
   if (good && now - chosen_at_ < kChooseEvery) return Wish{last_rad};
-  const std::optional<double> fresh_rad = explore(now, memory, ways);
+  // Where no way is good every step chooses anew; a plan costs too much for that.
+  if (routed_at_ == 0 || now - routed_at_ >= kChooseEvery) {
+    explore(now, memory);
+    routed_at_ = now;
+  }
+  const auto fresh_rad = route_.steps_O_m.empty() ? std::nullopt : std::optional(carrot_rad(memory, ways));
   double most = -1;
   double best_rad = 0;
   for (int i = 0; i < memory::Corridors::kDirections; ++i) {

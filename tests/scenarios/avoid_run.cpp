@@ -1,5 +1,6 @@
 #include "avoid_run.h"
 
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -28,8 +29,11 @@ std::optional<world::WorldConfig> lab_world(const std::string& name) {
   if (parts.size() != 4 || parts[0] != "lab") return std::nullopt;
   const auto floor = rig::lab_floor_from(parts[1]);
   const auto light = rig::lab_light_from(parts[2]);
-  if (!floor || !light) return std::nullopt;
-  rig::LabRoom room = rig::lab_room(*floor, *light, std::stoull(parts[3]));
+  std::uint64_t number = 0;
+  const auto read = std::from_chars(parts[3].data(), parts[3].data() + parts[3].size(), number);
+  if (!floor || !light || read.ec != std::errc() || read.ptr != parts[3].data() + parts[3].size())
+    return std::nullopt;
+  rig::LabRoom room = rig::lab_room(*floor, *light, number);
   if (room.stands.empty()) return std::nullopt;
   room.world.X_WR_start = room.stands.front();
   return room.world;

@@ -117,7 +117,7 @@ TEST_F(Driving, RoamsOnThroughEveryRoom) {
   pilot_.roam({1, "b"});
   run(100);
   EXPECT_GT(least_m_, kBody_m);
-  EXPECT_GT(squares_.size(), 49u);
+  EXPECT_GT(squares_.size(), 46u);
   const auto last =
       std::count_if(squares_.begin(), squares_.end(), [](const auto& at) { return at.first > 9; });
   EXPECT_GT(last, 18);
