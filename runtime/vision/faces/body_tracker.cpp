@@ -29,6 +29,7 @@ constexpr double kWhole = 0.5;            // of a box: less is not one thing
 constexpr double kTopShare = 1.25;        // from above the face to where clothes end, in the face's heights
 constexpr double kClothesSearch_px = 14;  // in the small picture
 constexpr double kClothesSearchShare = 0.8;
+constexpr double kLowerShare = 1.0;
 constexpr double kTrunkVisible = 0.45;
 constexpr double kTrunkRange = 0.8;  // less of it tells nothing of the distance
 constexpr double kEverywhere = 0.9;  // of the picture: that is no body
@@ -222,8 +223,10 @@ const BodyTracker::Clothes* BodyTracker::tellable(int id) const {
   return found == people_.end() || !found->second.tellable ? nullptr : &found->second;
 }
 
-/// The largest thing in the small picture that is like the clothes and reaches into these columns.
-std::optional<cv::Rect> BodyTracker::largest_like(const Clothes& clothes, int from_x, int to_x) const {
+/// The largest thing in the small picture that is like the clothes, reaches into these columns and begins no
+/// lower; what fills the picture from side to side tells nothing.
+std::optional<cv::Rect> BodyTracker::largest_like(const Clothes& clothes, int from_x, int to_x,
+                                                  int lowest_top) const {
   cv::Mat labels, stats, middles;
   const cv::Mat like = likelihood(clothes, {{}, bins_.size()}) > kClothesLike;
   const int count = cv::connectedComponentsWithStats(like, labels, stats, middles, 4);
@@ -234,8 +237,10 @@ std::optional<cv::Rect> BodyTracker::largest_like(const Clothes& clothes, int fr
     const cv::Rect box(of(cv::CC_STAT_LEFT), of(cv::CC_STAT_TOP), of(cv::CC_STAT_WIDTH),
                        of(cv::CC_STAT_HEIGHT));
     const int area = of(cv::CC_STAT_AREA);
-    const bool whole = area > kWhole * box.area() && box.width >= kTrunkSide_px;
-    if (!whole || area <= most || box.x >= to_x || box.x + box.width <= from_x) continue;
+    const bool one_thing = area > kWhole * box.area() && box.width < kEverywhere * like.cols;
+    const bool whole = one_thing && box.width >= kTrunkSide_px;
+    const bool there = box.x < to_x && box.x + box.width > from_x && box.y <= lowest_top;
+    if (!whole || area <= most || !there) continue;
     most = area;
     best = box;
   }
@@ -270,15 +275,18 @@ std::optional<BodyTracker::Body> BodyTracker::find(const FacePercept& face) cons
   if (clothes == nullptr) return std::nullopt;
   const cv::Rect2d whole = trunk_of(face, kTrunkHalf);
   const double reach_px = kClothesSearch_px * scale_ + kClothesSearchShare * whole.width;
+  // What begins lower is the floor they stand on.
+  const double lower_px = kClothesSearch_px * scale_ + kLowerShare * whole.width;
   const auto like = largest_like(*clothes, cvRound((whole.x - reach_px) / scale_),
-                                 cvRound((whole.x + whole.width + reach_px) / scale_));
+                                 cvRound((whole.x + whole.width + reach_px) / scale_),
+                                 std::max(kAtEdge_px, cvRound((whole.y + lower_px) / scale_)));
   return like ? measure_over(*clothes, *like, face) : std::nullopt;
 }
 
 std::optional<BodyTracker::Body> BodyTracker::find_again(const FacePercept& face) const {
   const Clothes* clothes = tellable(face.id);
   if (clothes == nullptr || clothes->width_px_m <= 0) return std::nullopt;
-  const auto like = largest_like(*clothes, 0, bins_.cols);
+  const auto like = largest_like(*clothes, 0, bins_.cols, bins_.rows);
   const auto body = like ? measure_over(*clothes, *like, face) : std::nullopt;
   if (!body || body->likeness < kClothesSurely || body->width_px <= 0 || body->cut_off) return std::nullopt;
   // They have not gone farther than people walk.

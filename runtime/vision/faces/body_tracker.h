@@ -56,7 +56,7 @@ class BodyTracker {
 
   const Clothes* tellable(int id) const;
   void learn_colours(Clothes& clothes, const cv::Rect2d& whole);
-  std::optional<cv::Rect> largest_like(const Clothes& clothes, int from_x, int to_x) const;
+  std::optional<cv::Rect> largest_like(const Clothes& clothes, int from_x, int to_x, int lowest_top) const;
   std::optional<Body> measure(const Clothes& clothes, const cv::Rect2d& trunk_px) const;
   std::optional<Body> measure_over(const Clothes& clothes, const cv::Rect& like,
                                    const FacePercept& face) const;

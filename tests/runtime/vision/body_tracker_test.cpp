@@ -87,6 +87,29 @@ TEST_F(BodyTrackerTest, TellsThatTheClothesGoOnAboveThePicture) {
   EXPECT_NEAR(body->width_px, 120, 6);
 }
 
+/// A floor in the clothes' own colour from this row on, and the hem of the clothes at the picture's top.
+cv::Mat floor_alike(int from_px, int columns) {
+  cv::Mat out(240, 320, CV_8UC3, cv::Scalar(190, 190, 190));
+  cv::rectangle(out, cv::Rect(160, from_px, columns, 240 - from_px), cv::Scalar(40, 40, 200), cv::FILLED);
+  cv::rectangle(out, cv::Rect(128, 0, 64, 30), cv::Scalar(40, 40, 200), cv::FILLED);
+  return out;
+}
+
+TEST_F(BodyTrackerTest, AFloorInTheirColourIsNotTheyWhenTheyAreAboveThePicture) {
+  tracker.look(floor_alike(80, 120));
+  FacePercept face = face_at(160);
+  face.y_px = -100;
+  const auto body = tracker.find(face);
+  ASSERT_TRUE(body);
+  EXPECT_TRUE(body->goes_above);
+  EXPECT_NEAR(body->box_px.x + body->box_px.width / 2, 160, 4);
+}
+
+TEST_F(BodyTrackerTest, WhatFillsThePictureFromSideToSideTellsNotWhereTheyAre) {
+  tracker.look(cv::Mat(240, 320, CV_8UC3, cv::Scalar(40, 40, 200)));
+  EXPECT_FALSE(tracker.find(face_at(160)));
+}
+
 TEST_F(BodyTrackerTest, AfterALossItFindsThemAnywhereInThePicture) {
   tracker.look(somebody(40));
   EXPECT_FALSE(tracker.find(face_at(250)));
