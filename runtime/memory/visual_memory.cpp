@@ -7,6 +7,8 @@ namespace mirada::memory {
 namespace {
 
 constexpr double kEdge_m = 0.03;  // nearest the boundary the floor is left to the obstacle
+// Beyond where a level picture begins: one that looks up leaves floor unseen.
+constexpr double kBeginsLater_m = 0.1;
 constexpr double kSideMargin_m = 0.02;
 constexpr std::uint64_t kPruneEvery = 16;  // pictures
 constexpr double kCornerPart = 1.8;
@@ -17,7 +19,10 @@ constexpr double kStill_rad = 1e-6;
 }  // namespace
 
 VisualMemory::VisualMemory(const RobotConfig& robot)
-    : near_(robot), drift_(drift_rates(robot.drive)), body_m_(robot.width_m() / 2) {}
+    : near_(robot),
+      drift_(drift_rates(robot.drive)),
+      body_m_(robot.width_m() / 2),
+      begins_m_(near_.distance_m(0) + kBeginsLater_m) {}
 
 void VisualMemory::moved(Micros now, const Pose2& X_OR) {
   const bool still = std::hypot(X_OR.x_m - X_OR_.x_m, X_OR.y_m - X_OR_.y_m) < kStill_m &&
@@ -36,6 +41,10 @@ void VisualMemory::observe(const SonarPercept& sonar) {
   note_looks(sonar);
   ++version_;
   near_.aim(sonar.neck);
+  if (!remembers_) {
+    points_.forget();
+    floor_.forget();
+  }
   points_.observe(sonar, near_, drift_);
   // What is too old or too unsure is looked for now and then, for it costs a look at every place.
   if (sonar.frame % kPruneEvery == 0 || points_.all().size() > ObstaclePoints::kMost)
@@ -47,9 +56,14 @@ void VisualMemory::observe(const SonarPercept& sonar) {
   for (const SonarReading& reading : sonar.readings) {
     const bool blocked = reading.answer == Answer::blocked;
     if (!blocked && reading.answer != Answer::clear) continue;
-    if (blocked && reading.distance_m <= near_.distance_m(reading.bearing_rad)) continue;
-    const double length_m = reading.distance_m - (blocked ? kEdge_m : 0);
-    floor_.mark_ray(X.x_m, X.y_m, X.heading_rad + reading.bearing_rad, length_m);
+    const double near_m = near_.distance_m(reading.bearing_rad);
+    if (blocked && reading.distance_m <= near_m) continue;
+    const double from_m = near_m > begins_m_ ? near_m : 0;
+    const double length_m = reading.distance_m - (blocked ? kEdge_m : 0) - from_m;
+    if (length_m <= 0) continue;
+    const double direction_rad = X.heading_rad + reading.bearing_rad;
+    floor_.mark_ray(X.x_m + from_m * std::cos(direction_rad), X.y_m + from_m * std::sin(direction_rad),
+                    direction_rad, length_m);
   }
 }
 

@@ -19,6 +19,8 @@ class VisualMemory {
   /// A thing seen from X_OR at `t`.
   void observe(const ThingSeen& thing, const Pose2& X_OR, Micros t);
   void forget();
+  /// Whether more is kept than the newest picture shows (it is): only to measure what the memory is worth.
+  void remember(bool all) { remembers_ = all; }
   const Things& things() const { return things_; }
 
   /// From where the robot is now.
@@ -48,6 +50,8 @@ class VisualMemory {
   FreeFloor floor_;
   Things things_;
   double body_m_;
+  double begins_m_;  ///< a picture that shows floor from here on shows all that matters
+  bool remembers_ = true;
   Pose2 X_OR_;
   Micros now_ = 0;
   struct Looked {

@@ -68,6 +68,7 @@ class Lockstep {
         packs_(shipped_packs(link_)),
         session_(robot_, packs_.catalog, session_options(options)) {
     link_->robot = &robot_;
+    robot_.memory().remember(options.remembers);
     link_->host = &session_.host();
     session_.host().on_say([this](const SaidText& line) {
       keep(line);

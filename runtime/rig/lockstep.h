@@ -18,6 +18,7 @@ struct LockstepOptions {
   RobotConfig robot;
   std::uint64_t seed = 1;
   double seconds = 60;
+  bool remembers = true;   ///< false: the visual memory keeps no more than the newest picture shows
   std::string face_model;  ///< a network's file; "" = the one that was fetched, or none
   /// Who is known; null = nobody, and nobody may be learnt. What a run learns stays in it: give each run its
   /// own for the same result.

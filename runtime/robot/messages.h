@@ -15,9 +15,8 @@ inline constexpr Message not_running{"not_running", "Press the green flag first:
                                      "Pulsa primero la bandera verde: entonces podré moverme."};
 inline constexpr Message number_not_finite{"number_not_finite", "I need a real number here, not {value}.",
                                            "Aquí necesito un número de verdad, no {value}."};
-inline constexpr Message beyond_limit{"beyond_limit",
-                                      "{value} {unit} is too much for me. Use {min} to {max}.",
-                                      "{value} {unit} es demasiado para mí. Usa de {min} a {max}."};
+inline constexpr Message beyond_limit{"beyond_limit", "I can't do {value} {unit}. Use {min} to {max}.",
+                                      "No puedo con {value} {unit}. Usa de {min} a {max}."};
 inline constexpr Message pan_clamped{
     "pan_clamped", "I can't look that far to the side: I look to {limit}° instead of {value}°.",
     "No puedo mirar tan a un lado: miro a {limit}° en vez de a {value}°."};

@@ -20,11 +20,18 @@ void Watch::keep(memory::Watching what) {
   }
   attention_.watch(what);
   aimed_ = false;
+  if (what != memory::Watching::face) level();
 }
 
 void Watch::look_around() {
   sweep_asked_ = true;
   stops_.assign(1, 0.0);  // until step() knows the way
+  level();
+}
+
+/// A camera that was left looking up shows no floor.
+void Watch::level() {
+  if (gaze_->can_tilt()) gaze_->tilt_to(0);
 }
 
 void Watch::rest() {

@@ -37,6 +37,7 @@ class Watch {
  private:
   memory::GazeRange range(const Sight& sight) const;
   bool look_is_over(const memory::VisualMemory& memory, Micros now);
+  void level();
   void aim(const memory::NextLook& look, Micros now);
 
   Gaze* gaze_;

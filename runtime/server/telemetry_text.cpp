@@ -131,6 +131,7 @@ std::string base_text(const session::Telemetry& telemetry) {
       {"blocks", telemetry.running_blocks ? json(*telemetry.running_blocks) : json::array()},
       {"variables", variables_to_json(telemetry.variables)},
       {"lists", lists_to_json(telemetry.lists)},
+      {"list_lengths", telemetry.list_lengths},
       {"say", telemetry.say},
       {"say_log", said_to_json(telemetry.say_log)},
       {"faults", faults_to_json(telemetry.faults)},

@@ -55,6 +55,8 @@ void Session::start(const vm::LoadedProgram& program, const std::string& program
   permit_ = permit;
   first_tick_ = true;
   warm_since_ = robot_->now();
+  // Each run begins alike, whatever the last one left the camera looking at.
+  robot_->gaze().look_ahead();
   update_needs();
 }
 
@@ -246,6 +248,7 @@ Telemetry Session::snapshot() const {
     if (phase_ != Phase::idle) out.running_blocks = machine_->running_blocks();
     out.variables = machine_->variables();
     out.lists = machine_->lists();
+    out.list_lengths = machine_->list_lengths();
     out.block_executions = machine_->block_executions();
   }
   out.say = host_.bubble();

@@ -43,7 +43,8 @@ struct Telemetry {
   StopReason stop_reason = StopReason::none;
   std::shared_ptr<const std::vector<std::string>> running_blocks;  ///< null: none
   std::map<std::string, vm::MonitorValue> variables;
-  std::map<std::string, std::vector<vm::MonitorValue>> lists;
+  std::map<std::string, std::vector<vm::MonitorValue>> lists;  ///< their first items
+  std::map<std::string, std::size_t> list_lengths;
   std::string say;                     ///< the bubble now; "" = none
   std::vector<SaidText> say_log;       ///< the newest 100 of this run
   std::vector<vm::BlockFault> faults;  ///< of this run, the newest 100

@@ -19,7 +19,7 @@ bool same_values(const Telemetry& a, const Telemetry& b) {
     return x.first == y.first && std::ranges::equal(x.second, y.second, same);
   };
   return std::ranges::equal(a.variables, b.variables, same_variable) &&
-         std::ranges::equal(a.lists, b.lists, same_list);
+         std::ranges::equal(a.lists, b.lists, same_list) && a.list_lengths == b.list_lengths;
 }
 
 bool same_talk(const Telemetry& a, const Telemetry& b) {

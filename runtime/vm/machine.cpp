@@ -193,6 +193,8 @@ std::map<std::string, MonitorValue> Machine::variables(MonitorRoom room) const {
 std::map<std::string, std::vector<MonitorValue>> Machine::lists(MonitorRoom room) const {
   return impl_->all_lists(room);
 }
+
+std::map<std::string, std::size_t> Machine::list_lengths() const { return impl_->list_lengths(); }
 std::vector<BlockFault> Machine::take_faults() { return std::exchange(impl_->faults, {}); }
 std::uint64_t Machine::block_executions() const { return impl_->executions; }
 void Machine::evaluate(const std::string& block_id, std::uint64_t request) {

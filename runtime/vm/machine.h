@@ -105,6 +105,8 @@ class Machine {
   /// or all of it.
   std::map<std::string, MonitorValue> variables(MonitorRoom room = {}) const;
   std::map<std::string, std::vector<MonitorValue>> lists(MonitorRoom room = {}) const;
+  /// How many items each really has.
+  std::map<std::string, std::size_t> list_lengths() const;
   /// Faults since the last call.
   std::vector<BlockFault> take_faults();
   std::uint64_t block_executions() const;

@@ -109,6 +109,7 @@ struct Machine::Impl {
   void give_up(Thread& thread, const Message& why, MessageArgs args = {});
   std::map<std::string, MonitorValue> variables(MonitorRoom room) const;
   std::map<std::string, std::vector<MonitorValue>> all_lists(MonitorRoom room) const;
+  std::map<std::string, std::size_t> list_lengths() const;
   std::shared_ptr<const std::vector<std::string>> running_blocks() const;
 
   // machine.cpp

@@ -96,8 +96,13 @@ inline constexpr Message wrong_choice{"wrong_choice", "{field} must be one of {c
 inline constexpr Message not_a_number{"field_not_a_number", "{field} must be a number, not \"{value}\".",
                                       "{field} debe ser un número, no «{value}»."};
 inline constexpr Message out_of_range{"out_of_range",
-                                      "{field} is {value}; sensible values go from {min} to {max}.",
-                                      "{field} es {value}; los valores sensatos van de {min} a {max}."};
+                                      "{value} is unusual here; sensible values go from {min} to {max}.",
+                                      "{value} es raro aquí; lo sensato va de {min} a {max}."};
+inline constexpr Message below_range{"below_range",
+                                     "{value} is unusual here; sensible values begin at {min}.",
+                                     "{value} es raro aquí; lo sensato empieza en {min}."};
+inline constexpr Message above_range{"above_range", "{value} is unusual here; sensible values end at {max}.",
+                                     "{value} es raro aquí; lo sensato acaba en {max}."};
 inline constexpr Message unknown_input{"unknown_input",
                                        "This block has no slot {field}; what is in it is ignored.",
                                        "Este bloque no tiene el hueco {field}; lo que contiene no se usa."};

@@ -54,6 +54,12 @@ std::map<std::string, std::vector<MonitorValue>> Machine::Impl::all_lists(Monito
   return out;
 }
 
+std::map<std::string, std::size_t> Machine::Impl::list_lengths() const {
+  std::map<std::string, std::size_t> out;
+  for (std::size_t i = 0; i < code->lists.size(); ++i) out[code->lists[i].name] = lists[i].size();
+  return out;
+}
+
 std::shared_ptr<const std::vector<std::string>> Machine::Impl::running_blocks() const {
   constexpr int kMaxCalls = 32;
   std::vector<bool> seen(code->program.blocks.size(), false);

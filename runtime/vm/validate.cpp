@@ -298,11 +298,15 @@ void Validator::check_literal(const Block& block, const ArgDef& arg) {
   const double low = arg.min.value_or(number);
   const double high = arg.max.value_or(number);
   if (number >= low && number <= high) return;
-  warn(block, messages::out_of_range,
+  // The name is for those who read the code; the words stand on the block.
+  const Message& words = !arg.max   ? messages::below_range
+                         : !arg.min ? messages::above_range
+                                    : messages::out_of_range;
+  warn(block, words,
        {{"field", arg.name},
         {"value", literal->value},
-        {"min", arg.min ? number_text(low) : "-"},
-        {"max", arg.max ? number_text(high) : "-"}});
+        {"min", arg.min ? number_text(low) : ""},
+        {"max", arg.max ? number_text(high) : ""}});
 }
 
 void Validator::check_unknown_parts(const Block& block, const BlockDef& def) {

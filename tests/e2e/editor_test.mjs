@@ -151,6 +151,60 @@ describe('the editor', { timeout: 900_000 }, () => {
     assert.deepEqual(page.problems, []);
   });
 
+  test('the blocks that run stay lit when the language changes', async () => {
+    await start(page);
+    await page.click(on.flag);
+    await page.locator('.mirada-running').first().waitFor();
+    const lit = await page.locator('.mirada-running').count();
+    await page.click('[data-testid=lang]');
+    await page.getByText('Español').click();
+    await page.locator(on.category('Movimiento')).waitFor();
+    assert.equal(await page.locator('.mirada-running').count(), lit);
+  });
+
+  test('a decimal comma is kept, and a number that cannot be kept changes nothing', async () => {
+    await start(page);
+    await openText(
+      page,
+      'wait.json',
+      program(stackOf([{ type: 'event_whenflagclicked', id: 'hat' }, wait('a')])),
+    );
+    await page.locator(on.block('a')).first().waitFor();
+    const type = async (text) => {
+      await page
+        .locator(`${on.block('as')} text`)
+        .first()
+        .click();
+      await page.keyboard.press('Control+a');
+      await page.keyboard.type(text);
+      await page.keyboard.press('Enter');
+      const stack = (await download(page)).workspace.blocks.blocks[0];
+      return stack.next.block.inputs.DURATION.shadow.fields.NUM;
+    };
+    assert.equal(await type('0,5'), 0.5);
+    assert.equal(await type('1e400'), 0.5);
+    assert.equal(await type('9'.repeat(320)), 0.5);
+    assert.deepEqual(page.problems, []);
+  });
+
+  test('blocks that nothing begins are answered with what to do, and are not sent', async () => {
+    await start(page);
+    await openText(page, 'nohat.json', program(stackOf([wait('a')])));
+    await page.locator(on.block('a')).first().waitFor();
+    await page.click(on.flag);
+    await page.locator(on.status, { hasText: /put .when flag pressed. on top/ }).waitFor();
+    assert.ok(!robot.received.some((message) => message.type === 'run'));
+  });
+
+  test('a run that is over before the answer says how it ended', async () => {
+    await start(page);
+    robot.endsAtOnce = 'faulted';
+    await page.click(on.flag);
+    await page.locator(on.status, { hasText: 'The program cannot go on' }).waitFor();
+    await page.waitForTimeout(300);
+    assert.match(await page.locator(on.status).textContent(), /The program cannot go on/);
+  });
+
   test('a reload keeps the work', async () => {
     await start(page);
     const box = await blockBox(page, 'hat');
@@ -271,6 +325,11 @@ describe('the editor', { timeout: 900_000 }, () => {
     await robot.vanish();
     await page.locator(on.banner).waitFor();
     assert.match(await page.locator(on.banner).textContent(), /Your program is safe/);
+    await page.getByRole('button', { name: 'Robot and room' }).click();
+    await page.getByLabel('Living room').check();
+    await page.getByRole('button', { name: 'Use it' }).click();
+    await page.locator(on.status, { hasText: 'The robot does not answer now' }).waitFor();
+    await page.keyboard.press('Escape');
     const box = await blockBox(page, 'hat');
     await drag(page, { x: box.x + 20, y: box.y + 40 }, { x: box.x + 120, y: box.y + 140 });
     await page.locator(on.saved).waitFor();
@@ -307,9 +366,21 @@ describe('the editor', { timeout: 900_000 }, () => {
     await page.keyboard.type('speed');
     await page.keyboard.press('Enter');
     await page.locator('.blocklyFlyout .data_setvariableto').waitFor();
-    robot.extra = { variables: { speed: 12.345 }, lists: { path: [1, 'two'] } };
+    robot.extra = {
+      variables: { speed: 12.345 },
+      lists: { path: [1, 'two'] },
+      list_lengths: { path: 5000 },
+    };
     await page.locator('[data-variable=speed] output', { hasText: '12.35' }).waitFor();
     await page.locator('[data-list=path] li', { hasText: 'two' }).waitFor();
+    assert.match(await page.locator('[data-list=path]').textContent(), /length 5000/);
+    const set = await page.locator('.blocklyFlyout .data_setvariableto').boundingBox();
+    await drag(page, { x: set.x + 8, y: set.y + 8 }, { x: 700, y: 500 });
+    await page
+      .locator('.blocklySvg .blocklyBlockCanvas .data_setvariableto .blocklyDropdownText')
+      .first()
+      .click();
+    await page.locator('.blocklyMenuItem', { hasText: 'Delete “speed”' }).waitFor();
   });
 
   test('undo takes back a drag', async () => {

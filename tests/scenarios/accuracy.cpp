@@ -22,6 +22,7 @@ struct Arguments {
   std::uint64_t seeds = 20;
   double seconds = 120;
   std::string program;
+  bool forgets = false;
 };
 
 nlohmann::json to_json(const AvoidRun& run) {
@@ -71,6 +72,8 @@ int main(int argc, char** argv) {
   app.add_option("--seconds", arguments.seconds)->capture_default_str();
   app.add_option("--program", arguments.program, "A program file (Avoid the obstacles)")
       ->check(CLI::ExistingFile);
+  app.add_flag("--forgets", arguments.forgets,
+               "The visual memory keeps no more than the newest picture shows");
   CLI11_PARSE(app, argc, argv);
   if (arguments.worlds.empty()) arguments.worlds = mirada::world::shipped_worlds();
   const std::string program =
@@ -78,7 +81,8 @@ int main(int argc, char** argv) {
   std::vector<AvoidRun> runs;
   for (const std::string& world : arguments.worlds) {
     for (std::uint64_t seed = arguments.first_seed; seed < arguments.first_seed + arguments.seeds; ++seed) {
-      const auto run = mirada::scenarios::run_in_room(program, world, seed, arguments.seconds);
+      const auto run =
+          mirada::scenarios::run_in_room(program, world, seed, arguments.seconds, !arguments.forgets);
       if (!run) {
         std::cerr << mirada::to_text(run.faults(), mirada::Lang::en);
         return 2;

@@ -42,7 +42,7 @@ std::optional<world::WorldConfig> lab_world(const std::string& name) {
 }  // namespace
 
 Result<AvoidRun> run_in_room(const std::string& program_json, const std::string& world, std::uint64_t seed,
-                             double seconds) {
+                             double seconds, bool remembers) {
   std::optional<world::WorldConfig> chosen = lab_world(world);
   if (!chosen) {
     auto shipped = world::world_by_name(world);
@@ -55,6 +55,7 @@ Result<AvoidRun> run_in_room(const std::string& program_json, const std::string&
   options.world = std::move(*chosen);
   options.robot = std::move(*robot);
   options.seed = seed;
+  options.remembers = remembers;
   options.seconds = seconds;
   AvoidRun run;
   std::set<std::pair<long, long>> cells;

@@ -144,6 +144,7 @@ export class FakeRobot {
     this.refuse = null;
     this.owner = null;
     this.stopAnswers = true;
+    this.endsAtOnce = '';
     this.extra = {};
     this.setup = { world: 'field', robot: 'classic', seed: 1, simulated: true };
   }
@@ -242,6 +243,7 @@ export class FakeRobot {
     this.state = 'running';
     this.owner = 'viewer-1';
     this.send({ type: 'owner', ...this.seat() });
+    if (this.endsAtOnce) this.halt(this.endsAtOnce);
     this.send({ type: 'started', run: this.run, warnings: [] });
   }
 
@@ -275,6 +277,7 @@ export class FakeRobot {
       blocks: moving ? ['loop', 'clear'] : [],
       variables: {},
       lists: {},
+      list_lengths: {},
       say: '',
       say_log: [],
       faults: [],

@@ -53,6 +53,28 @@ TEST_F(Memory, WhatLeftTheViewIsStillKnownAndWhereNothingWasLookedAtIsNot) {
   EXPECT_EQ(at(120).answer, Answer::not_seen);
 }
 
+TEST_F(Memory, FloorNearerThanWhatACameraLookingUpShowsStaysUnseen) {
+  const FlatRoom room{{{1.6, 0, 0.1}}};
+  now_ += kFrame;
+  memory_.moved(now_, pose_);
+  SonarPercept up = room.look(pose_, 0, now_);
+  up.neck.tilt_rad = -rad(35);
+  memory_.observe(up);
+  EXPECT_FALSE(memory_.way_clear(0, 0.18, 0.4));
+  EXPECT_LT(memory_.floor().seen_at(0.5, 0), 0);
+  EXPECT_GE(memory_.floor().seen_at(1.4, 0), 0);
+}
+
+TEST_F(Memory, WithoutRememberingOnlyTheNewestPictureCounts) {
+  const FlatRoom room{{{1.0, 0, 0.1}}};
+  memory_.remember(false);
+  look(room, 0);
+  EXPECT_EQ(at(0).answer, Answer::blocked);
+  look(room, 80);
+  EXPECT_EQ(at(0).answer, Answer::not_seen);
+  EXPECT_EQ(at(80).answer, Answer::clear);
+}
+
 TEST_F(Memory, ItsAnswersComeFromWhereTheRobotIsNow) {
   const FlatRoom room{{{1.0, 0.6, 0.1}}};
   sweep(room);

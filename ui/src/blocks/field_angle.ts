@@ -1,10 +1,15 @@
 import * as Blockly from 'blockly/core';
 import { t } from '../messages';
 import { type Dial, makeDial } from './dial';
+import { readNumber } from '../model/number';
 
 /** A number with a dial over a robot; any angle can still be typed. */
 export class FieldAngle extends Blockly.FieldNumber {
   private dial: Dial | null = null;
+
+  protected override doClassValidation_(value?: string | number): number | null {
+    return readNumber(String(value ?? ''));
+  }
 
   protected override showEditor_(event?: Event): void {
     const touch = Blockly.utils.userAgent.MOBILE || Blockly.utils.userAgent.IPAD;
@@ -14,7 +19,12 @@ export class FieldAngle extends Blockly.FieldNumber {
     dial.show(Number(this.getValue()));
     Blockly.DropDownDiv.getContentDiv().appendChild(dial.element);
     Blockly.DropDownDiv.setColour('#ffffff', '#d5d9e0');
-    Blockly.DropDownDiv.showPositionedByField(this, () => this.closeDial(), undefined, false);
+    Blockly.DropDownDiv.showPositionedByField(
+      this as Blockly.Field,
+      () => this.closeDial(),
+      undefined,
+      false,
+    );
   }
 
   private closeDial(): void {

@@ -1,5 +1,6 @@
 import * as Blockly from 'blockly/core';
 import { type MessageKey, t } from '../messages';
+import { readNumber } from '../model/number';
 import { askNewName, renameVariable } from './names';
 
 export type NameKind = '' | 'list' | 'broadcast_msg';
@@ -39,7 +40,7 @@ export class FieldName extends Blockly.FieldVariable {
     if (!workspace || workspace.isFlyout) return entries.length ? entries : [[this.getText() || ' ', '']];
     const name = this.getText();
     entries.push([t(newName[this.kind]), newId], [t('rename_this', { name }), renameId]);
-    if (all.length > 1) entries.push([t('delete_this', { name }), deleteId]);
+    if (all.length > 0) entries.push([t('delete_this', { name }), deleteId]);
     return entries;
   }
 
@@ -60,9 +61,8 @@ export class FieldName extends Blockly.FieldVariable {
 
 /** A number that may also be left empty, as in Scratch. */
 export class FieldAmount extends Blockly.FieldNumber {
-  protected override doClassValidation_(value?: unknown): number | null {
-    if (value === '') return '' as unknown as number;
-    return super.doClassValidation_(value);
+  protected override doClassValidation_(value?: string | number): number | null {
+    return value === '' ? ('' as unknown as number) : readNumber(String(value ?? ''));
   }
 
   /** Called by Blockly for the field's JSON. */

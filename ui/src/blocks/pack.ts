@@ -69,6 +69,13 @@ export class Catalog {
     return this.packs.map((pack) => pack.id).filter((id) => used.has(id));
   }
 
+  /** The blocks that begin a stack by themselves. */
+  hats(): string[] {
+    return [...this.known.values()]
+      .filter(({ block }) => block.shape === 'hat')
+      .map(({ block }) => block.opcode);
+  }
+
   /** The colour of the first pack with a reporter that needs this percept: its overlay wears it. */
   hueOf(percept: string, otherwise: string): string {
     const tells = (block: PackBlock) => block.shape === 'reporter' || block.shape === 'boolean';

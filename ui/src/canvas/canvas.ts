@@ -74,6 +74,12 @@ export class Canvas {
     return saveWorkspace(this.workspace);
   }
 
+  /** Whether anything on it can begin: a stack with a hat. */
+  hasStart(): boolean {
+    const hats = new Set(this.catalog.hats());
+    return this.workspace.getTopBlocks(false).some((block) => hats.has(block.type) && block.isEnabled());
+  }
+
   /** Opens another program: undo starts anew, the view goes to its first script. */
   load(state: WorkspaceState): string[] {
     const unknown = loadWorkspace(this.workspace, state, this.catalog);

@@ -19,6 +19,11 @@ export class Glow {
     this.lit = next;
   }
 
+  /** Blocks were made anew: none of them glows. */
+  forget(): void {
+    this.lit.clear();
+  }
+
   private mark(id: string, on: boolean): void {
     const root = this.workspace.getBlockById(id)?.getSvgRoot();
     if (root) root.classList.toggle('mirada-running', on);

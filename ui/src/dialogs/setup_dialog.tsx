@@ -38,8 +38,7 @@ function SetupDialog() {
   const submit = (event: Event) => {
     event.preventDefault();
     if (!seedOk) return;
-    choose(next);
-    closeDialog();
+    if (choose(next)) closeDialog();
   };
   const newSeed = () => setNext({ ...next, seed: 1 + Math.floor(Math.random() * 99_999) });
   return (

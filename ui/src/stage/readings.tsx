@@ -5,6 +5,8 @@ import { editor } from '../state/editor';
 import { faults, notes, telemetry } from '../state/robot';
 import type { Value } from '../wire/protocol';
 
+const shownItems = 100;
+
 function words(value: Value): string {
   if (typeof value === 'number') return String(Math.round(value * 100) / 100);
   return value === null ? '' : String(value);
@@ -31,13 +33,14 @@ function Values() {
       {lists.map(([name, values]) => (
         <div key={name} class="monitor list" data-list={name}>
           <span>
-            {name} <small>{t('list_length', { n: values.length })}</small>
+            {name} <small>{t('list_length', { n: now?.list_lengths[name] ?? values.length })}</small>
           </span>
           <ol>
             {values.length === 0 && <li class="quiet">{t('empty_list')}</li>}
-            {values.slice(0, 100).map((value, index) => (
+            {values.slice(0, shownItems).map((value, index) => (
               <li key={index}>{words(value)}</li>
             ))}
+            {values.length > shownItems && <li class="quiet">{t('list_goes_on')}</li>}
           </ol>
         </div>
       ))}

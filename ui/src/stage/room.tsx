@@ -98,7 +98,7 @@ class RoomPainter {
     const half = this.bubble.offsetWidth / 2;
     const x = Math.max(half + 4, Math.min(view.x(pose.x_m), w - half - 4));
     this.bubble.style.left = `${x}px`;
-    this.bubble.style.top = `${Math.max(34, view.y(pose.y_m) - 16)}px`;
+    this.bubble.style.top = `${Math.max(this.bubble.offsetHeight + 4, view.y(pose.y_m) - 16)}px`;
   }
 }
 
@@ -134,7 +134,7 @@ export function Room({ tabs }: { tabs: ComponentChildren }) {
       <div class="room-frame">
         <canvas ref={canvas} class="room" data-testid="room" role="img" aria-label={t('room_above')} />
         <div ref={bubble} class="say-bubble" hidden={!say.value} role="status">
-          {say}
+          <span>{say}</span>
         </div>
         <span class={touching.value ? 'summary touching' : 'summary'}>
           {touching.value ? t('contact') : summary}

@@ -1,5 +1,5 @@
 /** One editor: canvas, project and robot tied together. Made once, after the robot answered. */
-import { effect, signal } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import { Catalog } from '../blocks/pack';
 import { Canvas } from '../canvas/canvas';
 import { countBlocks, maxBlocks } from '../canvas/load_save';
@@ -16,6 +16,11 @@ import { Keeper, emptyProject, lastProject, projectName, recover } from './proje
 import { codeWanted, faults, giveCode, noteKey, run, startFaults, telemetry, youDrive } from './robot';
 import { type Project, ProjectStore } from './store';
 
+/** Who watches has another program open, maybe one with the same ids. */
+const glowing = computed(() =>
+  youDrive.value && telemetry.value?.state === 'running' ? telemetry.value.blocks : [],
+);
+
 const emptyWorkspace = { blocks: { languageVersion: 0, blocks: [] }, variables: [] };
 
 export class Editor {
@@ -24,6 +29,7 @@ export class Editor {
   readonly examples: Example[];
   private readonly keeper: Keeper;
   private readonly faultMarks: FaultMarks;
+  private readonly glow: Glow;
   private loading = false;
 
   private constructor(
@@ -40,11 +46,8 @@ export class Editor {
       if (!this.loading) this.keeper.changed();
     });
     answerClicks(this.canvas.workspace, () => this.program());
-    const glow = new Glow(this.canvas.workspace);
-    // Who watches has another program open, maybe one with the same ids.
-    effect(() =>
-      glow.show(youDrive.value && telemetry.value?.state === 'running' ? telemetry.value.blocks : []),
-    );
+    this.glow = new Glow(this.canvas.workspace);
+    effect(() => this.glow.show(glowing.value));
     effect(() => this.faultMarks.show(faults.value));
     codeWanted.subscribe((times) => {
       if (times > 0) askText(t('ask_code'), '', () => null, giveCode);
@@ -78,6 +81,7 @@ export class Editor {
     const program = this.program();
     const n = countBlocks(program.workspace);
     if (n > maxBlocks) noteKey('error', 'too_many_blocks', { n, max: maxBlocks });
+    else if (!this.canvas.hasStart()) noteKey('warning', n > 0 ? 'no_start' : 'no_blocks');
     else run(program);
   }
 
@@ -156,9 +160,11 @@ export class Editor {
     document.documentElement.lang = next;
     this.loading = true;
     this.faultMarks.forget();
+    this.glow.forget();
     this.canvas.translate();
     this.loading = false;
     this.faultMarks.show(faults.peek());
+    this.glow.show(glowing.peek());
   }
 
   /** Brings a block into view and selects it. */

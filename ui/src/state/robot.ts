@@ -55,7 +55,11 @@ export const youDrive = computed(() => seat.value.you_drive);
 /** Nobody else holds the robot. */
 export const free = computed(() => !seat.value.taken || seat.value.you_drive);
 /** All faults to show: those of the start, and those of the run. */
-export const faults = computed(() => [...startFaults.value, ...(telemetry.value?.faults ?? [])]);
+export const faults = computed(() => {
+  const all = [...startFaults.value, ...(telemetry.value?.faults ?? [])];
+  const key = (fault: Fault) => `${fault.place} ${fault.code} ${say(fault.message)}`;
+  return [...new Map(all.map((fault) => [key(fault), fault])).values()];
+});
 
 const waiting = new Map<number, (answer: { value?: Value; fault?: Fault }) => void>();
 let connection: Connection | null = null;
@@ -100,7 +104,9 @@ function keepClientUnique(): void {
 }
 
 function noteStop(before: Telemetry | null, after: Telemetry): void {
-  const ended = before && before.state !== 'idle' && after.state === 'idle';
+  // A run may begin and end between two of the robot's messages.
+  const began = before && (before.state !== 'idle' || before.run !== after.run);
+  const ended = began && after.state === 'idle';
   if (!ended || after.stop_reason === 'none') return;
   const words: Record<string, MessageKey> = {
     stop_button: 'why_stop_button',
@@ -115,6 +121,11 @@ function noteStop(before: Telemetry | null, after: Telemetry): void {
   const key = words[after.stop_reason];
   const calm = ['stop_button', 'put_back', 'replaced'].includes(after.stop_reason);
   if (key) noteKey(calm ? 'info' : 'warning', key);
+}
+
+function isOver(run: number): boolean {
+  const now = telemetry.peek();
+  return now !== null && now.run >= run && now.state === 'idle';
 }
 
 function receive(message: FromRobot): void {
@@ -142,7 +153,7 @@ function receive(message: FromRobot): void {
     case 'started':
       starting.value = false;
       startFaults.value = message.warnings;
-      noteKey('info', 'started');
+      if (!isOver(message.run)) noteKey('info', 'started');
       break;
     case 'refused':
       refused(message.to, message.faults);
@@ -278,30 +289,34 @@ async function postStop(tries: number): Promise<void> {
   else stopping.value = false;
 }
 
-export function send(message: ToRobot): void {
-  connection?.send(message);
+/** False when there is no robot to hear it, which is said. */
+export function send(message: ToRobot): boolean {
+  const sent = connection?.send(message) ?? false;
+  if (!sent) noteKey('warning', 'not_connected');
+  if (!sent && message.type === 'faces') facesRefused.value = bothWays('not_connected');
+  return sent;
 }
 
 export function pause(on: boolean): void {
-  connection?.send({ type: 'pause', on });
+  send({ type: 'pause', on });
 }
 
 export function sendKey(key: string, down: boolean): void {
   connection?.send({ type: 'key', key, down });
 }
 
-export function choose(next: Pick<Setup, 'world' | 'robot' | 'seed'>): void {
-  connection?.send({ type: 'choose', world: next.world, robot: next.robot, seed: next.seed });
+export function choose(next: Pick<Setup, 'world' | 'robot' | 'seed'>): boolean {
+  return send({ type: 'choose', world: next.world, robot: next.robot, seed: next.seed });
 }
 
 export function putBack(): void {
+  const idle = telemetry.peek()?.state === 'idle';
   // A program that is ended by it says so itself.
-  if (telemetry.peek()?.state === 'idle') noteKey('info', 'why_put_back');
-  connection?.send({ type: 'put_back' });
+  if (send({ type: 'put_back' }) && idle) noteKey('info', 'why_put_back');
 }
 
 export function release(): void {
-  connection?.send({ type: 'release' });
+  send({ type: 'release' });
 }
 
 /** Tells the robot which panels are open: it does no work for closed ones. */
@@ -314,9 +329,8 @@ export function watch(panels: Watch): void {
 export function evaluate(program: Program, block: string): Promise<{ value?: Value; fault?: Fault }> {
   requests += 1;
   const request = requests;
-  const none = {
-    fault: { place: block, code: 'no_answer', severity: 'error', message: noAnswer() } as Fault,
-  };
+  const message = bothWays('nothing_running_value');
+  const none = { fault: { place: block, code: 'no_answer', severity: 'error', message } as Fault };
   if (!connection?.sendText(writeJson({ type: 'evaluate', request, program, block })))
     return Promise.resolve(none);
   return new Promise((resolve) => {
@@ -327,7 +341,7 @@ export function evaluate(program: Program, block: string): Promise<{ value?: Val
   });
 }
 
-function noAnswer(): Words {
-  const words = t('nothing_running_value');
+function bothWays(key: MessageKey): Words {
+  const words = t(key);
   return { en: words, es: words };
 }

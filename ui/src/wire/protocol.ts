@@ -144,6 +144,7 @@ export interface Telemetry {
   blocks: string[];
   variables: Record<string, Value>;
   lists: Record<string, Value[]>;
+  list_lengths: Record<string, number>;
   say: string;
   say_log: { t_s: number; text: string }[];
   faults: Fault[];
