@@ -66,6 +66,14 @@ TEST_F(LiveStationTest, TheFlagAgainBeginsAnew) {
   EXPECT_EQ(station->telemetry()->say_log.at(0).text, "second");
 }
 
+TEST_F(LiveStationTest, EachRunBeginsWithTheCameraLevel) {
+  const std::string look_up = block({"looking_tilt_to", "tilt", number_input("ANGLE", "30"), ""}, wait("60"));
+  ASSERT_TRUE(station->start(program(flag(look_up))).ok());
+  EXPECT_TRUE(comes([](const Telemetry& now) { return now.neck.tilt_rad < -0.3; }));
+  ASSERT_TRUE(station->start(program(flag(wait("60")))).ok());
+  EXPECT_TRUE(comes([](const Telemetry& now) { return now.run == 2 && now.neck.tilt_rad == 0; }));
+}
+
 TEST_F(LiveStationTest, ABrokenProgramStopsTheOldOneAndListsItsFaults) {
   ASSERT_TRUE(station->start(kRollOn).ok());
   EXPECT_TRUE(comes(moving));

@@ -178,6 +178,15 @@ TEST_F(Driving, AnotherMotionTakesTheWheels) {
   EXPECT_EQ(drive_.odometry().speed.left_mps, 0);
 }
 
+TEST_F(Driving, LevelsACameraThatWasLeftLookingUp) {
+  gaze_.tilt_to(-rad(35));
+  pilot_.roam({1, "b"});
+  EXPECT_EQ(neck_.target_.tilt_rad, 0);
+  gaze_.tilt_to(-rad(35));
+  watch_.look_around();
+  EXPECT_EQ(neck_.target_.tilt_rad, 0);
+}
+
 TEST_F(Driving, LooksAroundInLessThanASecond) {
   run(0.3);
   watch_.look_around();
