@@ -1,5 +1,6 @@
 #pragma once
 #include <CLI/App.hpp>
+#include <CLI/Validators.hpp>
 
 namespace mirada {
 
@@ -8,6 +9,10 @@ struct Commands {
   CLI::App& app;
   int exit_code = 0;
 };
+
+/// Of an option's text: a number from `least` to `most`, so not NaN either, which CLI11's own Range lets
+/// through.
+CLI::Validator number_between(double least, double most);
 
 void add_run(Commands& commands);
 void add_check(Commands& commands);

@@ -42,18 +42,20 @@ int list_people(const vision::FaceBook& book, const FacesOptions& options) {
   return 0;
 }
 
-/// The feature of the largest face in a picture, or nothing.
-std::optional<vision::FaceFeature> largest_face(const std::string& file, vision::FaceFinder& finder,
-                                                vision::FaceDescriber& describer, const RobotConfig& robot) {
+/// The feature of the largest face in a picture.
+Result<vision::FaceFeature> largest_face(const std::string& file, vision::FaceFinder& finder,
+                                         vision::FaceDescriber& describer, const RobotConfig& robot) {
   auto source = PictureSource::open(file, robot.camera);
-  if (!source) return std::nullopt;
+  if (!source) return source.faults();
   Frame frame;
   frame.bgr = source->next();
   frame.number = 1;
   const FacesPercept seen = finder.find(frame, {});
-  if (seen.faces.empty()) return std::nullopt;
+  if (seen.faces.empty()) return make_fault(file, messages::faces_none_in_picture, {{"file", file}});
   const FacePercept& face = seen.faces.front();
-  return describer.describe(frame.bgr, {face.x_px, face.y_px, face.w_px, face.h_px});
+  auto feature = describer.describe(frame.bgr, {face.x_px, face.y_px, face.w_px, face.h_px});
+  if (!feature) return make_fault(file, messages::faces_none_in_picture, {{"file", file}});
+  return std::move(*feature);
 }
 
 Status learn_pictures(vision::FaceBook& book, const FacesOptions& options) {
@@ -62,11 +64,15 @@ Status learn_pictures(vision::FaceBook& book, const FacesOptions& options) {
   if (!finder) return finder.faults();
   vision::FaceDescriber describer = vision::FaceDescriber::open();
   std::vector<vision::FaceFeature> looks;
+  Faults faults;
   for (const std::string& file : options.pictures) {
     auto feature = largest_face(file, **finder, describer, robot);
-    if (!feature) return make_fault(file, messages::faces_none_in_picture, {{"file", file}});
-    looks.push_back(std::move(*feature));
+    if (feature)
+      looks.push_back(std::move(*feature));
+    else
+      faults.insert(faults.end(), feature.faults().begin(), feature.faults().end());
   }
+  if (!faults.empty()) return faults;
   return book.learn(options.name, describer.kind(), looks);
 }
 
@@ -77,6 +83,7 @@ void add_action(CLI::App& faces, Commands& commands, const std::shared_ptr<Faces
                 const std::function<int(vision::FaceBook&)>& act) {
   CLI::App* action = faces.add_subcommand(name, help);
   arguments(*action);
+  action->fallthrough();  // --file and --lang may stand behind it too
   action->callback([&commands, options, act] {
     const auto file = options->file.empty() ? rig::known_faces_file() : std::filesystem::path(options->file);
     auto book = vision::FaceBook::open(file);

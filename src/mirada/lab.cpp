@@ -182,7 +182,7 @@ void add_common(CLI::App& app, LabOptions& options) {
       ->capture_default_str();
   app.add_flag("--lines-are-obstacles", options.lines_are_obstacles, "A painted line ends the free floor");
   app.add_option("--worst", options.worst, "How many of the worst pictures to list")
-      ->check(CLI::Range(0, 10'000))
+      ->check(number_between(0, 10'000))
       ->capture_default_str();
   app.add_flag("--json", options.json, "The tables as JSON (shares from 0 to 1)");
   app.add_option("--plot", options.plot,
@@ -200,9 +200,11 @@ void add_distances(CLI::App& lab, const std::shared_ptr<LabOptions>& options, Co
       ->capture_default_str();
   app->add_option("--lights", options->lights, "even, side, dim")->delimiter(',')->capture_default_str();
   app->add_option("--seeds", options->seeds, "Rooms of each floor in each light")
-      ->check(CLI::Range(1, 10'000))
+      ->check(number_between(1, 10'000))
       ->capture_default_str();
-  app->add_option("--first-seed", options->first_seed, "The first room's seed")->capture_default_str();
+  app->add_option("--first-seed", options->first_seed, "The first room's seed")
+      ->check(number_between(0, 9e15))
+      ->capture_default_str();
   app->add_flag("--mount-errors", options->mount_errors,
                 "Tilt, height and pan are off by chance as the robot's file says (otherwise exactly known)");
   app->add_option("--keep", options->keep, "Write the pictures and their truth.json into this folder");

@@ -313,11 +313,11 @@ void add_options(CLI::App& app, MountOptions& options) {
       "--line", options.lines,
       "A line on the floor, twice or more: u1,v1,u2,v2=x1,y1,x2,y2 (pixels=metres, x ahead, y left)");
   app.add_option("--thickness-mm", options.thickness_mm, "How thick the board or tag is")
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(number_between(0.0, 100.0));
   app.add_option("--pan", options.pan_deg, "Where the neck pointed, degrees, positive to the LEFT")
-      ->check(CLI::Range(-180.0, 180.0));
+      ->check(number_between(-180.0, 180.0));
   app.add_option("--tilt", options.tilt_deg, "The neck's tilt, degrees, positive DOWN")
-      ->check(CLI::Range(-90.0, 90.0));
+      ->check(number_between(-90.0, 90.0));
   app.add_option("--out", options.out, "Put the mount into this robot.json, or write a mount.json");
   app.add_flag("--check", options.check,
                "Only say whether the camera still stands as the robot's file says (exit 1: no)");

@@ -10,7 +10,11 @@ ProgramFile load_program_file(const std::string& path) {
   const Result<std::string> text = read_file(path);
   if (!text) return {std::move(packs), text.faults()};
   Result<vm::LoadedProgram> program = vm::load_program(*text, packs->catalog);
-  return {std::move(packs), std::move(program)};
+  if (program) return {std::move(packs), std::move(program)};
+  Faults faults = program.faults();
+  for (Fault& fault : faults)
+    if (fault.place.empty()) fault.place = path;
+  return {std::move(packs), std::move(faults)};
 }
 
 }  // namespace mirada

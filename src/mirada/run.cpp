@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::uintmax_t kMostProgramBytes = 64u << 20;
 constexpr double kLongest_s = 86'400;
+constexpr double kLargestSeed = 9e15;
 
 std::atomic<bool> stop_asked{false};
 
@@ -71,10 +72,11 @@ Result<rig::LockstepOptions> read_options(const RunArguments& arguments) {
 }
 
 /// What somebody at a terminal wants to know.
-std::string summary(const session::RunReport& report, Lang lang) {
+std::string summary(const session::RunReport& report, const std::string& program, Lang lang) {
   std::string out;
+  const std::string whole = report.status == session::RunStatus::invalid ? program + ": " : "";
   for (const vm::BlockFault& fault : report.faults) {
-    out += (fault.block.empty() ? "" : fault.block + ": ") + fault.fault.text(lang) + "\n";
+    out += (fault.block.empty() ? whole : fault.block + ": ") + fault.fault.text(lang) + "\n";
   }
   out += std::string(to_string(report.status)) + ", " + number_text(report.simulated_s, 2) + " s";
   if (report.robot) {
@@ -88,7 +90,7 @@ std::string summary(const session::RunReport& report, Lang lang) {
 int deliver(const session::RunReport& report, const RunArguments& arguments) {
   const Lang lang = arguments.language();
   const bool invalid = report.status == session::RunStatus::invalid;
-  if (arguments.report != "-") (invalid ? std::cerr : std::cout) << summary(report, lang);
+  if (arguments.report != "-") (invalid ? std::cerr : std::cout) << summary(report, arguments.program, lang);
   if (arguments.report.empty()) return invalid ? 2 : 0;
   const std::string text =
       to_json(report, lang).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
@@ -132,9 +134,11 @@ void add_run(Commands& commands) {
   sub->add_option("--known-faces", arguments->faces,
                   "File of known faces (see mirada faces): they may be recognised, and what the program "
                   "learns is known until it ends. Without it nobody is known and nobody can be learnt");
-  sub->add_option("--seed", arguments->seed, "The same seed, the same run")->capture_default_str();
+  sub->add_option("--seed", arguments->seed, "The same seed, the same run")
+      ->check(number_between(0, kLargestSeed))
+      ->capture_default_str();
   sub->add_option("--seconds", arguments->seconds, "Longest run, in simulated seconds")
-      ->check(CLI::Range(0.001, kLongest_s))
+      ->check(number_between(0.001, kLongest_s))
       ->capture_default_str();
   sub->add_option("--report", arguments->report, "Write the run report here as JSON; - = to the terminal");
   sub->add_option("--lang", arguments->lang, "Language of the words")

@@ -190,10 +190,10 @@ void add_see(Commands& commands) {
       ->capture_default_str();
   app->add_option("--pan", options->pan_deg,
                   "Where the neck pointed, in degrees, positive to the LEFT (as in robot.json)")
-      ->check(CLI::Range(-180.0, 180.0));
+      ->check(number_between(-180.0, 180.0));
   app->add_option("--tilt", options->tilt_deg,
                   "The neck's tilt in degrees, positive DOWN; adds to the mount's tilt of robot.json")
-      ->check(CLI::Range(-90.0, 90.0));
+      ->check(number_between(-90.0, 90.0));
   app->add_flag("--json", options->json,
                 "Reports as JSON, one line a picture; bearings positive to the left");
   app->add_option("--overlay", options->overlay,

@@ -108,7 +108,9 @@ void add_serve(Commands& commands) {
   command->add_option(
       "--place", options->place,
       "What the robot knows of where it is: the id of a place that ships, or a place.json file");
-  command->add_option("--seed", options->seed, "Seed of the room's chance")->capture_default_str();
+  command->add_option("--seed", options->seed, "Seed of the room's chance")
+      ->check(number_between(0, 9e15))
+      ->capture_default_str();
   command->add_option("--camera", options->camera,
                       "v4l2:0, or a picture or video file, instead of the simulated camera");
   command->add_option("--lang", options->lang, "First language")

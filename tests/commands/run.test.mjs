@@ -110,3 +110,20 @@ test('every subcommand explains itself', () => {
   assert.ok(['serve', 'run', 'check', 'see'].every((name) => names.includes(name)), out);
   for (const name of names) assert.equal(mirada([name, '--help']).status, 0, name);
 });
+
+test('what is meant for a subcommand and is none is named, with those that there are', () => {
+  refused(mirada(['drive']), /"drive".*run.*serve/s);
+  refused(mirada(['--bogus']), /"--bogus"/);
+});
+
+test('a number that is none is refused', () => {
+  refused(mirada(['run', avoid, '--seconds', 'nan']), /nan is not a number in/);
+  refused(mirada(['run', avoid, '--seed', '-1']), /-1 is not a number in/);
+  refused(mirada(['see', avoid, '--pan', 'nan']), /nan is not a number in/);
+});
+
+test('a program file that is broken is named', () => {
+  const broken = file('broken.json', '{bad');
+  refused(mirada(['run', broken]), /broken\.json: This is not whole JSON/);
+  refused(mirada(['check', broken]), /broken\.json: This is not whole JSON/);
+});

@@ -131,6 +131,9 @@ Result<std::vector<KnownPicture>> read_truth(const std::filesystem::path& folder
   std::vector<KnownPicture> out;
   JsonReader json(*parsed, "", faults);
   json.only({"format", "version", "robot", "pictures"});
+  const std::string format = json.text_or("format", "mirada-truth");
+  if (format != "mirada-truth") json.fault("format", messages::lab_format, {{"value", format.substr(0, 40)}});
+  json.number_or("version", 1, 1, 1);
   const std::string robot = json.text_or("robot", "");
   for (JsonReader& picture : json.objects("pictures", 100'000)) {
     out.push_back(read_picture(picture, folder));

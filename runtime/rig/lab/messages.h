@@ -12,6 +12,8 @@ inline constexpr Message lab_no_bearings{"lab_no_bearings",
                                          "{field} está vacío: pon al menos una dirección conocida."};
 inline constexpr Message lab_no_pictures{"lab_no_pictures", "{field} must list at least one picture.",
                                          "{field} debe tener al menos una imagen."};
+inline constexpr Message lab_format{"lab_format", "{field} must be \"mirada-truth\", not \"{value}\".",
+                                    "{field} debe ser «mirada-truth», no «{value}»."};
 inline constexpr Message lab_no_picture{"lab_no_picture", "This is no picture that I can read.",
                                         "No es una imagen que pueda leer."};
 inline constexpr Message lab_no_folder{"lab_no_folder", "I can't make this folder: {reason}.",
