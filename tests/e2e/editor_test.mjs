@@ -389,6 +389,7 @@ describe('the editor', { timeout: 900_000 }, () => {
     await drag(page, { x: box.x + 20, y: box.y + 40 }, { x: box.x + 120, y: box.y + 140 });
     const moved = await blockBox(page, 'hat');
     assert.ok(Math.abs(moved.x - box.x) > 50);
+    await page.getByRole('button', { name: 'Redo' }).and(page.locator(':disabled')).waitFor();
     await page.getByRole('button', { name: 'Undo' }).click();
     await page.waitForTimeout(200);
     const back = await blockBox(page, 'hat');

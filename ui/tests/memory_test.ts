@@ -18,7 +18,7 @@ const memory: Memory = {
 
 describe('the memory from above', () => {
   it('has the robot in the middle, its front up and its left to the left', () => {
-    const view = memoryView(520, 520);
+    const view = memoryView(520, 520, memory);
     expect(view.scale).toBeCloseTo(100);
     const ahead = onCanvas(view, robot, [1, 3]);
     expect(ahead[0]).toBeCloseTo(260);
@@ -28,8 +28,17 @@ describe('the memory from above', () => {
     expect(left[1]).toBeCloseTo(260);
   });
 
+  it('shows what is remembered farther off too', () => {
+    const far: Memory = { ...memory, things: [['tag', 7, 1, 6.5, 0.1, 0]] };
+    const view = memoryView(520, 520, far);
+    const [x, y] = onCanvas(view, robot, [1, 6.5]);
+    expect(x).toBeCloseTo(260);
+    expect(y).toBeGreaterThan(0);
+    expect(view.scale).toBeLessThan(memoryView(520, 520, memory).scale);
+  });
+
   it('writes the number of a tag where the tag was seen', () => {
-    const view = memoryView(520, 520);
+    const view = memoryView(520, 520, memory);
     const written: unknown[][] = [];
     const pen = new Proxy(
       {},

@@ -1,4 +1,5 @@
 import { useComputed } from '@preact/signals';
+import { canRedo, canUndo } from '../canvas/canvas';
 import { Dialog, openDialog } from '../dialogs/dialog';
 import { openSetup } from '../dialogs/setup_dialog';
 import { type MessageKey, lang, say, t } from '../messages';
@@ -166,6 +167,7 @@ function Undo({ redo }: { redo: boolean }) {
       class="icon-button"
       aria-label={label}
       title={label}
+      disabled={!(redo ? canRedo : canUndo).value}
       onClick={() => editor.value?.canvas.undo(redo)}
     >
       <UndoIcon flipped={redo} />

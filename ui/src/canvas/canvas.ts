@@ -1,4 +1,5 @@
 /** The Blockly workspace of the page: made once, filled, translated in place. */
+import { signal } from '@preact/signals';
 import * as Blockly from 'blockly/core';
 import * as messagesEn from 'blockly/msg/en';
 import * as messagesEs from 'blockly/msg/es';
@@ -33,6 +34,9 @@ function useOwnDialogs(): void {
   Blockly.dialog.setAlert((message, callback) => tell(message, callback));
 }
 
+export const canUndo = signal(false);
+export const canRedo = signal(false);
+
 export class Canvas {
   readonly workspace: Blockly.WorkspaceSvg;
   private readonly catalog: Catalog;
@@ -61,6 +65,7 @@ export class Canvas {
     });
     serveToolbox(this.workspace, catalog);
     this.workspace.addChangeListener((event) => {
+      this.noteUndo();
       if (!event.isUiEvent && !(event instanceof Blockly.Events.FinishedLoading)) this.changed();
     });
   }
@@ -84,6 +89,7 @@ export class Canvas {
   load(state: WorkspaceState): string[] {
     const unknown = loadWorkspace(this.workspace, state, this.catalog);
     this.workspace.clearUndo();
+    this.noteUndo();
     this.showStart();
     return unknown;
   }
@@ -115,6 +121,12 @@ export class Canvas {
 
   undo(redo: boolean): void {
     this.workspace.undo(redo);
+    this.noteUndo();
+  }
+
+  private noteUndo(): void {
+    canUndo.value = this.workspace.getUndoStack().length > 0;
+    canRedo.value = this.workspace.getRedoStack().length > 0;
   }
 
   resize(): void {

@@ -32,7 +32,7 @@ function paint(canvas: HTMLCanvasElement): void {
   if (!memory) return;
   const packs = editor.peek()?.catalog.packs ?? [];
   const hue = packs.find((pack) => pack.id === 'memory')?.colour ?? '#9966ff';
-  drawMemory(pen, memoryView(w, h), memory, hue);
+  drawMemory(pen, memoryView(w, h, memory), memory, hue);
   canvas.dataset.places = String(memory.places.length);
 }
 

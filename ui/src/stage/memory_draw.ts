@@ -4,17 +4,33 @@ import type { Memory, Point } from '../wire/protocol';
 
 type Pen = CanvasRenderingContext2D;
 const turn = Math.PI / 180;
-const reach_m = 2.6;
+/** What is drawn reaches at least so far, then the next, so that the plot does not breathe. */
+const reaches_m = [2.6, 3.6, 5.2, 7.2];
 const fades_s = 60;
-const rings_m = [1, 2];
 
 export interface MemoryView {
   scale: number;
+  reach_m: number;
   middle: Point;
 }
 
-export function memoryView(w: number, h: number): MemoryView {
-  return { scale: Math.min(w, h) / 2 / reach_m, middle: [w / 2, h / 2] };
+/** How far from the robot the farthest thing is that is remembered. */
+function farthest_m({ robot, places, segments, things }: Memory): number {
+  const points: Point[] = [
+    ...places.map(([x, y]): Point => [x, y]),
+    ...segments.flatMap(([x1, y1, x2, y2]): Point[] => [
+      [x1, y1],
+      [x2, y2],
+    ]),
+    ...things.map(([, , x, y]): Point => [x, y]),
+  ];
+  return points.reduce((most, [x, y]) => Math.max(most, Math.hypot(x - robot.x_m, y - robot.y_m)), 0);
+}
+
+export function memoryView(w: number, h: number, memory: Memory): MemoryView {
+  const far_m = farthest_m(memory) + 0.1;
+  const reach_m = reaches_m.find((reach) => far_m <= reach) ?? reaches_m.at(-1)!;
+  return { scale: Math.min(w, h) / 2 / reach_m, reach_m, middle: [w / 2, h / 2] };
 }
 
 /** A place of the odometry on the canvas: seen from the robot, its front up, its left to the left. */
@@ -43,7 +59,7 @@ function drawFree(pen: Pen, view: MemoryView, free: number[], colour: string): v
   if (free.length === 0) return;
   pen.beginPath();
   free.forEach((free_m, i) => {
-    const [x, y] = polar(view, (i * 360) / free.length, Math.min(free_m, reach_m));
+    const [x, y] = polar(view, (i * 360) / free.length, Math.min(free_m, view.reach_m));
     if (i === 0) pen.moveTo(x, y);
     else pen.lineTo(x, y);
   });
@@ -57,7 +73,7 @@ function drawRings(pen: Pen, view: MemoryView): void {
   pen.strokeStyle = 'rgba(31, 42, 68, 0.16)';
   pen.fillStyle = 'rgba(31, 42, 68, 0.5)';
   pen.font = '11px sans-serif';
-  for (const ring of rings_m) {
+  for (let ring = 1; ring < view.reach_m; ring += 1) {
     pen.beginPath();
     pen.arc(view.middle[0], view.middle[1], ring * view.scale, 0, 2 * Math.PI);
     pen.stroke();
