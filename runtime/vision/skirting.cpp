@@ -27,7 +27,7 @@ constexpr float kVaries = 0.4F;     // Look units from column to column: more th
 constexpr float kEvenBoard = 0.7F;  // of how much the floor before it varies
 constexpr float kCertain = 5;       // times the standard error
 constexpr float kSameSpot = 3;      // neighbouring columns that show the same spot of a floor
-constexpr double kVotes = 0.8;      // of the columns that are asked
+constexpr double kBoardVotes = 0.8;      // of the columns that are asked
 
 /// Sums of the looks of one column, row by row downwards from where the floor was said to end.
 class Downwards {
@@ -105,7 +105,7 @@ struct Steps {
   /// How clear a step there is; 0: none.
   float clearness(int asked) const {
     const auto n = static_cast<float>(votes);
-    if (votes < kVotes * asked || votes == 0 || is_joint() || !is_even()) return 0;
+    if (votes < kBoardVotes * asked || votes == 0 || is_joint() || !is_even()) return 0;
     const LookMean mean = edge / n;
     const LookMean sigma = (squares / n - mean * mean).max(1).sqrt();
     float best = 0;

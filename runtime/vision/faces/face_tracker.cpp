@@ -17,30 +17,22 @@ constexpr Micros kForgetClothesAfter = 40 * kSecond;  // which tell them again w
 constexpr Micros kLost = 500 * kMillisecond;
 constexpr Micros kForgetNewAfter = 250 * kMillisecond;  // seen once only
 constexpr int kSureLooks = 2;
-constexpr double kPush_mps2 = 1.2;      // how hard people start, stop and turn, one sigma
 constexpr double kBearing_rad = 0.012;  // how far a box's middle may be off
 constexpr double kRangeShare = 0.05;
-constexpr double kOldSize = 3;              // times as unsure, of a box that was only moved along
-constexpr double kElevation_rad = 0.012;    // the box's middle and the neck
-constexpr double kGrows_m_per_s05 = 0.004;  // what a walk and a bent head do to a height
-constexpr double kNearestBody_m = 0.3;      // nearer, the trunk fills the picture and anything passes for it
-constexpr double kOffRobot_m = 0.4;
+constexpr double kOldSize = 3;            // times as unsure, of a box that was only moved along
+constexpr double kElevation_rad = 0.012;  // the box's middle and the neck
+constexpr double kNearestBody_m = 0.3;    // nearer, the trunk fills the picture and anything passes for it
 constexpr double kBodyBearing_rad = 0.03;
 constexpr double kBodyRangeShare = 0.2;  // looks that follow each other err alike
-constexpr double kMostOff_rad = 0.15;    // beyond it that was no edge of theirs
 constexpr double kTopElevation_rad = 0.015;
 constexpr double kNoRange_m = 3;
-constexpr double kStartSpeed_mps = 0.3;
 constexpr double kUnsureSpeedFades = 0.85;
-constexpr double kFastest_mps = 1.6;
-constexpr double kSpeedFades_s = 1.0;  // of a face that is not seen
-constexpr double kGate_rad = 0.06;     // beyond the face's own size
+constexpr double kGate_rad = 0.06;  // beyond the face's own size
 constexpr double kGateSpeed_mps = 0.8;
 constexpr double kMostSizeRatio = 2.0;
-constexpr double kNearest_m = 0.1;
 constexpr double kCutOff_px = 3;
 
-double cross_range(const Vector3d& from_lens) { return std::max(from_lens.norm(), kNearest_m); }
+double cross_range(const Vector3d& from_lens) { return std::max(from_lens.norm(), FaceTrack::kNearest_m); }
 
 Vector3d to_O(const Vector3d& p_R, const Pose2& X_OR) {
   const double c = std::cos(X_OR.heading_rad);
@@ -66,34 +58,10 @@ FaceTracker::View FaceTracker::view(const FacesPercept& picture, const NeckAngle
           X_OR};
 }
 
-Micros FaceTracker::unseen(const Track& track, Micros now) {
-  return now - std::max(track.last_seen, track.last_body);
-}
-
-void FaceTracker::predict(Track& track, Micros t) {
-  const double dt = std::clamp(seconds(t - track.t), 0.0, 5.0);
-  track.t = t;
-  if (dt == 0) return;
-  Covariance step = Covariance::Identity();
-  const double fade = unseen(track, t) > FaceTracker::kHold ? std::exp(-dt / kSpeedFades_s) : 1;
-  step(0, 2) = step(1, 3) = dt;
-  step(2, 2) = step(3, 3) = fade;
-  track.state = step * track.state;
-  track.cov = step * track.cov * step.transpose();
-  const double q = kPush_mps2 * kPush_mps2;
-  for (const int axis : {0, 1}) {
-    track.cov(axis, axis) += q * dt * dt * dt * dt / 4;
-    track.cov(axis, axis + 2) += q * dt * dt * dt / 2;
-    track.cov(axis + 2, axis) += q * dt * dt * dt / 2;
-    track.cov(axis + 2, axis + 2) += q * dt * dt;
-  }
-  track.cov(4, 4) += kGrows_m_per_s05 * kGrows_m_per_s05 * dt;
-}
-
 std::optional<FacePercept> FaceTracker::as_seen(const Track& track, const View& view) {
   const Vector3d p_R = to_R({track.state[0], track.state[1], track.state[4]}, view.X_OR);
   const Vector3d p_C = view.X_RC.inverse() * p_R;
-  if (p_C.z() < kNearest_m) return std::nullopt;
+  if (p_C.z() < FaceTrack::kNearest_m) return std::nullopt;
   const auto pixel = view.camera.project(p_C);
   if (!pixel) return std::nullopt;
   FacePercept face;
@@ -114,62 +82,6 @@ std::optional<FacePercept> FaceTracker::as_seen(const Track& track, const View& 
   return face;
 }
 
-/// Who is not seen has not walked into the robot, however they came.
-void FaceTracker::keep_off(Track& track, const Pose2& X_OR) {
-  const Vector2d here(X_OR.x_m, X_OR.y_m);
-  const Vector2d to = track.state.head<2>() - here;
-  const double away_m = to.norm();
-  if (away_m >= kOffRobot_m) return;
-  const Vector2d away =
-      away_m > 0 ? Vector2d(to / away_m) : Vector2d(std::cos(X_OR.heading_rad), std::sin(X_OR.heading_rad));
-  track.state.head<2>() = here + kOffRobot_m * away;
-  track.state.segment<2>(2).setZero();
-}
-
-/// After a loss: where they went in between nobody knows.
-void FaceTracker::place_again(Track& track, const Vector2d& p_O, double spread_m) {
-  const double height_sigma = track.cov(4, 4);
-  track.state.head<2>() = p_O;
-  track.state.segment<2>(2).setZero();
-  const double speed = kStartSpeed_mps * kStartSpeed_mps;
-  track.cov.setZero();
-  track.cov.diagonal() << spread_m * spread_m, spread_m * spread_m, speed, speed, height_sigma;
-}
-
-/// One look at a place on the floor, with its noise along and across the line
-/// of sight.
-void FaceTracker::observe(Track& track, const Vector2d& p_O, const Vector2d& away, double along_m,
-                          double across_m) {
-  const Vector2d side(-away.y(), away.x());
-  const Eigen::Matrix2d noise =
-      along_m * along_m * away * away.transpose() + across_m * across_m * side * side.transpose();
-  const Eigen::Matrix2d sum = track.cov.topLeftCorner<2, 2>() + noise;
-  const Eigen::Matrix<double, 5, 2> gain = track.cov.leftCols<2>() * sum.inverse();
-  track.state += gain * (p_O - track.state.head<2>());
-  track.cov -= (gain * track.cov.topRows<2>()).eval();
-  const double speed = track.state.segment<2>(2).norm();
-  if (speed > kFastest_mps) track.state.segment<2>(2) *= kFastest_mps / speed;
-}
-
-/// How high in the picture somebody's face is tells how they come and go, quicker and more evenly than its
-/// size: a face keeps its height. The size tells which height, in the long run.
-void FaceTracker::observe_elevation(Track& track, double elevation_rad, double sigma_rad, double below_face_m,
-                                    const Vector3d& p_OC) {
-  const Vector2d flat = track.state.head<2>() - p_OC.head<2>();
-  const double away_m = std::max(flat.norm(), kNearest_m);
-  const double up_m = track.state[4] - below_face_m - p_OC.z();
-  const double off_rad = elevation_rad - std::atan2(up_m, away_m);
-  if (std::abs(off_rad) > kMostOff_rad) return;
-  const double square = away_m * away_m + up_m * up_m;
-  Eigen::Matrix<double, 1, 5> slope = Eigen::Matrix<double, 1, 5>::Zero();
-  slope.head<2>() = -up_m / square * flat.transpose() / away_m;
-  slope[4] = away_m / square;
-  const State weight = track.cov * slope.transpose();
-  const State gain = weight / (slope.dot(weight) + sigma_rad * sigma_rad);
-  track.state += gain * off_rad;
-  track.cov -= (gain * weight.transpose()).eval();
-}
-
 /// A face that the picture's upper or lower edge cuts off is as high as its width says.
 FacePercept FaceTracker::made_whole(const FacePercept& face, const Track& track, const View& view) {
   const bool above = face.y_px < kCutOff_px;
@@ -186,8 +98,8 @@ void FaceTracker::correct(Track& track, const FacePercept& seen, const View& vie
   const Vector2d away = Vector2d(p_O.x() - view.X_OR.x_m, p_O.y() - view.X_OR.y_m).normalized();
   const double edge = std::hypot(kRangeShare, 0.8 / size_px(face)) * face.distance_m;
   const double across = kBearing_rad * face.distance_m;
-  observe(track, p_O.head<2>(), away, sized ? edge : kOldSize * edge, across);
-  observe_elevation(track, face.elevation_rad, kElevation_rad, 0, to_O(view.X_RC.translation(), view.X_OR));
+  track.observe(p_O.head<2>(), away, sized ? edge : kOldSize * edge, across);
+  track.observe_elevation(face.elevation_rad, kElevation_rad, 0, to_O(view.X_RC.translation(), view.X_OR));
   track.score = seen.score;
   track.last_seen = track.t;
   if (!sized) return;
@@ -204,7 +116,7 @@ FaceTracker::Track FaceTracker::begin(const FacePercept& face, const View& view,
   const Vector3d p_O = to_O(p_R, view.X_OR);
   track.state << p_O.x(), p_O.y(), 0, 0, p_O.z();
   const double spread = kFaceSizeShare * face.distance_m;
-  const double speed = kStartSpeed_mps * kStartSpeed_mps;
+  const double speed = FaceTrack::kStartSpeed_mps * FaceTrack::kStartSpeed_mps;
   track.cov.setZero();
   track.cov.diagonal() << spread * spread, spread * spread, speed, speed, 0;
   // The height is told by the distance and as unsure.
@@ -227,7 +139,7 @@ std::vector<FacePercept> FaceTracker::expected(const FacesPercept& picture, cons
   const View here = view(picture, neck, X_OR);
   std::vector<FacePercept> out;
   for (Track track : tracks_) {
-    predict(track, picture.t_exposure);
+    track.predict(picture.t_exposure);
     const auto face = as_seen(track, here);
     if (!face) continue;
     out.push_back(*face);
@@ -242,7 +154,7 @@ std::vector<FacePercept> FaceTracker::lost_ahead(const FacesPercept& picture, co
   const double angle = X_OR.heading_rad + std::atan2(axis_R.y(), axis_R.x());
   std::vector<FacePercept> out;
   for (Track track : tracks_) {
-    if (unseen(track, picture.t_exposure) < kLost) continue;
+    if (track.unseen(picture.t_exposure) < kLost) continue;
     const Vector2d from(X_OR.x_m, X_OR.y_m);
     const double away_m = (track.state.head<2>() - from).norm();
     track.state.head<2>() = from + away_m * Vector2d(std::cos(angle), std::sin(angle));
@@ -295,11 +207,11 @@ void FaceTracker::follow_bodies(const std::vector<BodySeen>& bodies, FacesPercep
     const double angle = X_OR.heading_rad + body.bearing_rad;
     const Vector2d away(std::cos(angle), std::sin(angle));
     const double range = body.distance_m > 0 || apart < seen_m ? kBodyRangeShare * apart : kNoRange_m;
-    if (unseen(*track, seen.t_exposure) >= kLost)
-      place_again(*track, Vector2d(X_OR.x_m, X_OR.y_m) + apart * away, range);
-    observe(*track, Vector2d(X_OR.x_m, X_OR.y_m) + apart * away, away, range, kBodyBearing_rad * apart);
+    if (track->unseen(seen.t_exposure) >= kLost)
+      track->place_again(Vector2d(X_OR.x_m, X_OR.y_m) + apart * away, range);
+    track->observe(Vector2d(X_OR.x_m, X_OR.y_m) + apart * away, away, range, kBodyBearing_rad * apart);
     const bool tops = body.top_elevation_rad && track->top_below_m > 0;
-    if (tops) observe_elevation(*track, *body.top_elevation_rad, kTopElevation_rad, track->top_below_m, lens);
+    if (tops) track->observe_elevation(*body.top_elevation_rad, kTopElevation_rad, track->top_below_m, lens);
     // Nothing tells how fast they come or go.
     if (range == kNoRange_m && !tops) track->state.segment<2>(2) *= kUnsureSpeedFades;
     track->last_body = seen.t_exposure;
@@ -329,7 +241,7 @@ std::vector<FaceTracker::Pair> FaceTracker::pairs(const FacesPercept& seen, cons
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const Track& track = tracks_[i];
     // Another face may be anybody's by then.
-    if (unseen(track, seen.t_exposure) > kForgetAfter) continue;
+    if (track.unseen(seen.t_exposure) > kForgetAfter) continue;
     const Vector3d p_R = to_R({track.state[0], track.state[1], track.state[4]}, here.X_OR);
     const Vector3d from_lens = p_R - here.X_RC.translation();
     const double lost_s = seconds(seen.t_exposure - track.last_seen);
@@ -363,7 +275,7 @@ void FaceTracker::take(Track& track, FacePercept& face, const View& here, bool s
 
 void FaceTracker::forget_old(Micros now) {
   std::erase_if(tracks_, [&](const Track& track) {
-    return unseen(track, now) > (track.looks < kSureLooks ? kForgetNewAfter : kForgetClothesAfter);
+    return track.unseen(now) > (track.looks < kSureLooks ? kForgetNewAfter : kForgetClothesAfter);
   });
 }
 
@@ -385,7 +297,7 @@ void FaceTracker::add_predicted(FacesPercept& seen, const View& here) const {
 
 void FaceTracker::follow(FacesPercept& seen, const NeckAngles& neck, const Pose2& X_OR, bool sized) {
   const View here = view(seen, neck, X_OR);
-  for (Track& track : tracks_) predict(track, seen.t_exposure);
+  for (Track& track : tracks_) track.predict(seen.t_exposure);
   std::vector<bool> track_done(tracks_.size()), face_done(seen.faces.size());
   for (const auto& [cost, i, j] : pairs(seen, here)) {
     if (track_done[i] || face_done[j]) continue;
@@ -400,7 +312,7 @@ void FaceTracker::follow(FacesPercept& seen, const NeckAngles& neck, const Pose2
   }
   forget_old(seen.t_exposure);
   for (Track& track : tracks_)
-    if (track.last_seen < seen.t_exposure) keep_off(track, X_OR);
+    if (track.last_seen < seen.t_exposure) track.keep_off(X_OR);
   add_predicted(seen, here);
 }
 

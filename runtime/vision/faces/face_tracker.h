@@ -6,6 +6,7 @@
 
 #include "model/percepts.h"
 #include "model/robot_config.h"
+#include "vision/faces/face_track.h"
 
 namespace mirada::vision {
 
@@ -54,24 +55,10 @@ class FaceTracker {
   void forget() { tracks_.clear(); }
 
   /// How long a face that is no longer seen counts as being there.
-  static constexpr Micros kHold = 400 * kMillisecond;
+  static constexpr Micros kHold = FaceTrack::kHold;
 
  private:
-  using State = Eigen::Matrix<double, 5, 1>;
-  using Covariance = Eigen::Matrix<double, 5, 5>;
-  struct Track {
-    int id = 0;
-    State state = State::Zero();  ///< x, y, their speeds, height above the floor; O, m and m/s
-    Covariance cov = Covariance::Identity();
-    double size_px_m = 0;    ///< box size (root of the area) times distance from the lens
-    double shape = 1.2;      ///< box height by width
-    double top_below_m = 0;  ///< from the face's middle down to where the clothes end; 0 = not known
-    double score = 0;
-    Micros t = 0;
-    Micros last_seen = 0;  ///< its face
-    Micros last_body = 0;
-    int looks = 0;
-  };
+  using Track = FaceTrack;
   struct View {
     CameraModel camera;
     Eigen::Isometry3d X_RC;
@@ -79,12 +66,7 @@ class FaceTracker {
   };
 
   View view(const FacesPercept& picture, const NeckAngles& neck, const Pose2& X_OR) const;
-  static void predict(Track& track, Micros t);
   static std::optional<FacePercept> as_seen(const Track& track, const View& view);
-  static void observe(Track& track, const Eigen::Vector2d& p_O, const Eigen::Vector2d& away, double along_m,
-                      double across_m);
-  static void observe_elevation(Track& track, double elevation_rad, double sigma_rad, double below_face_m,
-                                const Eigen::Vector3d& p_OC);
   static double farthest_m(const Track& track, const BodySeen& body, const Eigen::Vector3d& p_OC);
   static FacePercept made_whole(const FacePercept& face, const Track& track, const View& view);
   void correct(Track& track, const FacePercept& seen, const View& view, bool sized) const;
@@ -95,9 +77,6 @@ class FaceTracker {
   };
   std::vector<Pair> pairs(const FacesPercept& seen, const View& here) const;
   void take(Track& track, FacePercept& face, const View& here, bool sized) const;
-  static Micros unseen(const Track& track, Micros now);
-  static void keep_off(Track& track, const Pose2& X_OR);
-  static void place_again(Track& track, const Eigen::Vector2d& p_O, double spread_m);
   void forget_old(Micros now);
   void add_predicted(FacesPercept& seen, const View& here) const;
 
