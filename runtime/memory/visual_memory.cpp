@@ -32,6 +32,7 @@ void VisualMemory::moved(Micros now, const Pose2& X_OR) {
   X_OR_ = X_OR;
   // What is too old no longer counts: looked at once a second.
   if (!still || now / kSecond != now_ / kSecond) ++version_;
+  if (now / kSecond != now_ / kSecond) things_.prune(now);
   now_ = now;
 }
 
@@ -62,6 +63,7 @@ void VisualMemory::observe(const SonarPercept& sonar) {
     const double length_m = reading.distance_m - (blocked ? kEdge_m : 0) - from_m;
     if (length_m <= 0) continue;
     const double direction_rad = X.heading_rad + reading.bearing_rad;
+    if (from_m > 0) floor_.mark_ray(X.x_m, X.y_m, direction_rad, from_m, FreeFloor::Mark::before);
     floor_.mark_ray(X.x_m + from_m * std::cos(direction_rad), X.y_m + from_m * std::sin(direction_rad),
                     direction_rad, length_m);
   }
@@ -75,7 +77,8 @@ std::size_t VisualMemory::bin(double heading_rad) const {
 void VisualMemory::note_looks(const SonarPercept& sonar) {
   const Looked now{sonar.t_exposure, drift_.now().tyre_m, true};
   for (const SonarReading& reading : sonar.readings)
-    looked_[bin(sonar.X_OR.heading_rad + reading.bearing_rad)] = now;
+    if (reading.answer != Answer::above_horizon)
+      looked_[bin(sonar.X_OR.heading_rad + reading.bearing_rad)] = now;
 }
 
 Micros VisualMemory::look_age(double bearing_rad) const {
@@ -119,14 +122,15 @@ bool VisualMemory::way_clear(double bearing_rad, double width_m, double ahead_m)
   int unseen = 0;
   int all = 0;
   // Beside its front corners a robot never sees; floor begins where its width is in view.
-  for (double ahead = kCornerPart * half_m; ahead <= ahead_m; ahead += FreeFloor::kCell_m) {
+  for (double ahead = std::min(kCornerPart * half_m, ahead_m); ahead <= ahead_m;
+       ahead += FreeFloor::kCell_m) {
     for (double across = -half_m; across <= half_m; across += FreeFloor::kCell_m, ++all) {
       const Eigen::Vector2d p = here + ahead * along + across * side;
       unseen += floor_.seen_at(p.x(), p.y()) < 0 ? 1 : 0;
     }
   }
   // A square at the rim of the robot's width may lie between two looks.
-  return unseen * 20 <= all;
+  return all > 0 && unseen * 20 <= all;
 }
 
 }  // namespace mirada::memory

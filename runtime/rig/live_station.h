@@ -76,7 +76,7 @@ class LiveStation final : public session::Station {
   std::mutex commands_mutex_;
   std::condition_variable commands_wake_;
   std::deque<Command> commands_;
-  bool closing_ = false;    // under commands_mutex_
+  bool closing_ = false;    // the control thread's alone
   session::Wanted wanted_;  // under commands_mutex_
   std::mutex watchdog_mutex_;
   std::condition_variable watchdog_wake_;

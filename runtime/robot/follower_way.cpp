@@ -80,7 +80,7 @@ double Follower::room_m(const memory::VisualMemory& memory, double bearing_rad) 
     room_m = std::min(room_m, std::max(0.0, ahead - unsure_m - std::sqrt(radius_m_ * radius_m_ - off * off)));
   }
   const auto is_floor = [&](const Vector2d& p) {
-    return memory.floor().seen_at(p.x(), p.y()) >= 0 || walked_on(p);
+    return memory.floor().likely_at(p.x(), p.y()) || walked_on(p);
   };
   const Vector2d lane = 0.7 * radius_m_ * side;
   double seen_m = 1.4 * radius_m_;

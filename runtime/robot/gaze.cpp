@@ -27,6 +27,14 @@ void Gaze::hold() {
   target_ = neck_->state().angles;
 }
 
+void Gaze::pause(bool on) {
+  if (neck_ == nullptr) return;
+  if (on)
+    neck_->hold();
+  else
+    neck_->aim(target_);
+}
+
 hal::NeckState Gaze::state(Micros now) const {
   if (neck_ != nullptr) return neck_->state();
   return {now, {}, true};

@@ -21,6 +21,8 @@ class Gaze {
   /// Straight ahead again, level.
   void look_ahead();
   void hold();
+  /// Stands still for a while, then goes on to where it was going.
+  void pause(bool on);
   hal::NeckState state(Micros now) const;
 
  private:

@@ -26,10 +26,14 @@ bool Perception::step(Micros now, const MotionHistory& history) {
   if (camera_ != nullptr && needs_.any()) fresh = camera_->poll();
   if (fresh) {
     frame_ = std::move(*fresh);
+    ++pictures_;
     look(frame_, now, history);
   }
   if (face_worker_) {
-    if (auto found = face_worker_->take()) accept(std::move(*found), now);
+    auto found = face_worker_->take();
+    // What was in work when the robot was put elsewhere tells of the place before.
+    const bool stale = found && *found && (*found)->t_exposure <= forgotten_at_;
+    if (found && !stale) accept(std::move(*found), now);
   }
   publish(now);
   return fresh.has_value();
@@ -41,7 +45,7 @@ void Perception::look(const Frame& frame, Micros now, const MotionHistory& histo
     const Micros due = timing_ == Timing::live ? now : now + latency_.sonar_us;
     sonar_due_.push_back({due, detectors_.sonar(frame, then.neck, then.X_OR)});
   }
-  if (needs_.things && detectors_.things && frame.number % kThingsEvery == 0) {
+  if (needs_.things && detectors_.things && pictures_ % kThingsEvery == 0) {
     const Micros due = timing_ == Timing::live ? now : now + latency_.sonar_us;
     things_due_.push_back({due, detectors_.things(frame, then.neck, then.X_OR)});
   }
@@ -95,6 +99,7 @@ void Perception::publish(Micros now) {
 }
 
 void Perception::forget() {
+  forgotten_at_ = frame_.t_exposure;
   if (detectors_.forget_floor) detectors_.forget_floor();
   if (detectors_.forget_faces) detectors_.forget_faces();
   sonar_due_.clear();

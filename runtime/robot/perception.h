@@ -77,6 +77,8 @@ class Perception {
   Timing timing_;
   Needs needs_;
   Frame frame_;
+  std::uint64_t pictures_ = 0;  ///< taken, whatever their numbers
+  Micros forgotten_at_ = -1;    ///< the newest picture then
   std::shared_ptr<const Percepts> percepts_ = std::make_shared<const Percepts>();
   std::deque<Due<SonarPercept>> sonar_due_;
   std::deque<Due<FacesPercept>> faces_due_;

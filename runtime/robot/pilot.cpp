@@ -96,7 +96,10 @@ void Pilot::step(Micros now, const memory::VisualMemory& memory) {
     leave();
     return;
   }
-  if (motion_->paused()) return;
+  if (motion_->paused()) {
+    nearest_at_ = 0;  // its patience begins anew
+    return;
+  }
   const memory::Corridors ways(memory, radius_m_, kLookAhead_m);
   Wish wish;
   if (course_ == Course::roam) wish = roam_wish(now, memory, ways);

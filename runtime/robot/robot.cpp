@@ -43,20 +43,26 @@ void Robot::remember() {
   const SonarPercept& sonar = perception_.percepts()->sonar;
   if (sonar.frame == remembered_frame_) return;
   remembered_frame_ = sonar.frame;
-  if (sonar.frame != 0 && history_.steady(sonar.t_exposure)) memory_.observe(sonar);
+  // Neither what could not be judged nor what was seen before anybody asked for the memory is a look.
+  const bool fresh = sonar.frame != 0 && now() - sonar.t_exposure <= kPerceptLife;
+  if (fresh && sonar.floor_model_trusted && history_.steady(sonar.t_exposure)) memory_.observe(sonar);
 }
 
 void Robot::remember_things() {
   const Percepts& seen = *perception_.percepts();
   if (seen.things.frame != remembered_things_) {
     remembered_things_ = seen.things.frame;
-    for (const ThingSeen& thing : seen.things.things)
+    for (const ThingSeen& thing : seen.things.things) {
+      if (now() - seen.things.t_exposure > kPerceptLife) break;
       memory_.observe(thing, seen.things.X_OR, seen.things.t_exposure);
+    }
   }
   if (seen.faces.frame == remembered_faces_) return;
   remembered_faces_ = seen.faces.frame;
-  if (seen.faces.faces.empty() || seen.faces.faces.front().predicted) return;
-  const FacePercept& face = seen.faces.faces.front();
+  const auto shown = std::find_if(seen.faces.faces.begin(), seen.faces.faces.end(),
+                                  [](const FacePercept& face) { return !face.predicted; });
+  if (shown == seen.faces.faces.end() || now() - seen.faces.t_exposure > kPerceptLife) return;
+  const FacePercept& face = *shown;
   ThingSeen thing;
   thing.bearing_rad = face.bearing_rad;
   thing.distance_m = face.distance_m;
@@ -102,7 +108,9 @@ void Robot::attend() {
 }
 
 double Robot::drift_since_start_m() const {
-  return std::sqrt(memory_.drift().covariance(start_mark_, {X_OS_.x_m, X_OS_.y_m}).trace());
+  // Sums that cancel may leave a little less than nothing.
+  const double square = memory_.drift().covariance(start_mark_, {X_OS_.x_m, X_OS_.y_m}).trace();
+  return std::sqrt(std::max(0.0, square));
 }
 
 void Robot::need(Needs needs) {

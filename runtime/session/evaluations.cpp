@@ -37,8 +37,9 @@ struct Evaluations::Open {
   bool asked = false;
 };
 
-Evaluations::Evaluations(robot::Robot& robot, const vm::BlockCatalog& catalog, std::uint64_t seed)
-    : robot_(&robot), catalog_(&catalog), seed_(seed) {}
+Evaluations::Evaluations(robot::Robot& robot, const vm::BlockCatalog& catalog, std::uint64_t seed,
+                         const vm::Limits& limits)
+    : robot_(&robot), catalog_(&catalog), seed_(seed), limits_(limits) {}
 
 Evaluations::~Evaluations() { give_up(messages::robot_changed); }
 
@@ -51,7 +52,7 @@ void Evaluations::ask(const vm::LoadedProgram& program, const std::string& block
   open->deadline = robot_->now() + kPatience;
   open->needs = needs;
   open->host = std::make_unique<QuietHost>(*robot_, seed_);
-  open->machine = std::make_unique<vm::Machine>(program.code, *catalog_, *open->host);
+  open->machine = std::make_unique<vm::Machine>(program.code, *catalog_, *open->host, limits_);
   open_.push_back(std::move(open));
 }
 

@@ -16,7 +16,8 @@ using AnswerFn = std::function<void(Result<vm::MonitorValue>)>;
 /// program, else by a machine of its own, silent and without permission to drive. Control thread.
 class Evaluations {
  public:
-  Evaluations(robot::Robot& robot, const vm::BlockCatalog& catalog, std::uint64_t seed);
+  Evaluations(robot::Robot& robot, const vm::BlockCatalog& catalog, std::uint64_t seed,
+              const vm::Limits& limits);
   ~Evaluations();
 
   /// In a machine of its own, once what the block needs has been seen.
@@ -43,6 +44,7 @@ class Evaluations {
   robot::Robot* robot_;
   const vm::BlockCatalog* catalog_;
   std::uint64_t seed_;
+  vm::Limits limits_;
   std::uint64_t next_request_ = 1;
   std::vector<std::unique_ptr<Open>> open_;
 };

@@ -19,7 +19,7 @@ Session::Session(robot::Robot& robot, const vm::BlockCatalog& catalog, SessionOp
       catalog_(&catalog),
       options_(options),
       host_(robot.motion(), options.seed),
-      evaluations_(robot, catalog, options.seed),
+      evaluations_(robot, catalog, options.seed, options.limits),
       run_(options.runs_before),
       last_tick_(robot.now()) {}
 
@@ -81,7 +81,7 @@ void Session::pause(bool on) {
   paused_ = on;
   robot_->motion().pause(on);
   robot_->act();
-  if (on) robot_->gaze().hold();
+  robot_->gaze().pause(on);
 }
 
 void Session::key(const std::string& name, bool down) {

@@ -41,7 +41,8 @@ bool same_body(const Telemetry& a, const Telemetry& b) {
   return a.percepts == b.percepts && a.X_OR.x_m == b.X_OR.x_m && a.X_OR.y_m == b.X_OR.y_m &&
          a.X_OR.heading_rad == b.X_OR.heading_rad && a.neck.pan_rad == b.neck.pan_rad &&
          a.neck.tilt_rad == b.neck.tilt_rad && a.left_mps == b.left_mps && a.right_mps == b.right_mps &&
-         a.camera_trouble_code == b.camera_trouble_code && a.scene_json == b.scene_json && same_memory(a, b);
+         a.camera_trouble_code == b.camera_trouble_code && a.follow_state == b.follow_state &&
+         a.follow_id == b.follow_id && a.scene_json == b.scene_json && same_memory(a, b);
 }
 
 bool same_blocks(const Telemetry& a, const Telemetry& b) {

@@ -14,7 +14,7 @@ class FloorLooks {
   void clear();
   /// Adds one sighting of the floor; neighbouring looks get a share.
   void add(const Look& look, int weight);
-  /// Halves what is remembered; looks that are not seen again fade.
+  /// Takes an eighth of what is remembered; looks that are not seen again fade.
   void fade();
   bool knows(const Look& look) const { return cells_[cell(look)] >= kKnown; }
 

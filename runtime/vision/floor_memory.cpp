@@ -145,14 +145,14 @@ bool FloorMemory::scan(PictureGrid& grid, const std::vector<ColumnSpan>& spans, 
     lights_.start(home_);
     texture_ = study_.texture();
   }
-  if (!first && shows_floor)
-    exposure_.see(grid, spans, looks_, home_, study_.main_look(), !has_turned_away(place));
+  const bool compared = !first && shows_floor;
+  if (compared) exposure_.see(grid, spans, looks_, home_, study_.main_look(), !has_turned_away(place));
   seen_from_ = place;
   expose(grid);
   ColumnScan column_scan(grid, looks_, lights_, tones_, scale);
   column_scan.prepare(texture_, home_, settings);
   scan_columns(grid, spans, scale, home_, column_scan, results);
-  if (!first && exposure_.has_changed() && !plausible(results)) {
+  if (compared && exposure_.has_changed() && !plausible(results)) {
     exposure_.take_back();
     expose(grid);
     scan_columns(grid, spans, scale, home_, column_scan, results);

@@ -249,7 +249,9 @@ HANDLER(native) {
   const NativeSite& site = t.machine->native_site(at->a);
   Thread& thread = *t.thread;
   NativeCallOf call(site, thread, t.machine->host, t.machine->code->program.at(site.block).id, f, g);
-  NativeResult result = site.def->native(call);
+  // Who asks for a value does nothing with it, whatever stands in a my-block on the way.
+  const bool acts = site.def->shape == Shape::command || site.def->shape == Shape::cap;
+  NativeResult result = thread.is_question && acts ? NativeResult::finished() : site.def->native(call);
   if (site.def->visible) {
     thread.visible_tick = t.machine->tick_number;
     t.solo = false;

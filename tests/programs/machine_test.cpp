@@ -200,6 +200,28 @@ TEST(Machine, AClickedReporterAnswersItsValueWhileTheProgramRuns) {
   EXPECT_TRUE(run.machine->any_script_alive());
 }
 
+TEST(Machine, AskingForAMyBlocksValueDoesNothingElse) {
+  Natives natives;
+  int acts = 0;
+  natives.add("test_act", Shape::command, [&acts](NativeCall&) {
+    ++acts;
+    return NativeResult::finished();
+  });
+  const Json shape{{"id", "p"}, {"name", "p"}, {"params", Json::array()}, {"returns", true}, {"warp", false}};
+  Json define = stack({block("procedures_definition"), block("test_act"),
+                       block("procedures_return", {{"VALUE", number(7)}})});
+  Json call = with_id(block("procedures_call_value"), "call");
+  define["extraState"] = call["extraState"] = shape;
+  Running run(program({define, hat({forever({wait(0.1)})}), call}, {}), {}, natives.catalog);
+  run.machine->tick();
+  run.machine->evaluate("call", 1);
+  run.machine->tick();
+  const auto answers = run.machine->take_answers();
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_EQ(answers[0].value.text, "7");
+  EXPECT_EQ(acts, 0);
+}
+
 TEST(Machine, AMonitorShowsTheStartOfWhatIsLong) {
   const Json grow = block(
       "data_setvariableto",

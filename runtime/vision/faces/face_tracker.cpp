@@ -158,7 +158,10 @@ std::vector<FacePercept> FaceTracker::lost_ahead(const FacesPercept& picture, co
     const Vector2d from(X_OR.x_m, X_OR.y_m);
     const double away_m = (track.state.head<2>() - from).norm();
     track.state.head<2>() = from + away_m * Vector2d(std::cos(angle), std::sin(angle));
-    if (const auto face = as_seen(track, here)) out.push_back(*face);
+    if (auto face = as_seen(track, here)) {
+      face->age = track.unseen(picture.t_exposure);
+      out.push_back(*face);
+    }
   }
   return out;
 }
@@ -264,13 +267,13 @@ std::vector<FaceTracker::Pair> FaceTracker::pairs(const FacesPercept& seen, cons
 /// The face is this track's newest look; it gets the track's number and steadier place.
 void FaceTracker::take(Track& track, FacePercept& face, const View& here, bool sized) const {
   correct(track, face, here, sized);
+  face.id = track.id;
+  face.p_O_m = track.state.head<2>();
+  face.v_O_mps = track.state.segment<2>(2);
   const auto steady = as_seen(track, here);
   if (!steady) return;
-  face.id = steady->id;
   face.distance_m = steady->distance_m;
   face.sigma_m = steady->sigma_m;
-  face.p_O_m = steady->p_O_m;
-  face.v_O_mps = steady->v_O_mps;
 }
 
 void FaceTracker::forget_old(Micros now) {

@@ -62,7 +62,37 @@ TEST_F(Memory, FloorNearerThanWhatACameraLookingUpShowsStaysUnseen) {
   memory_.observe(up);
   EXPECT_FALSE(memory_.way_clear(0, 0.18, 0.4));
   EXPECT_LT(memory_.floor().seen_at(0.5, 0), 0);
+  EXPECT_TRUE(memory_.floor().likely_at(0.5, 0));
   EXPECT_GE(memory_.floor().seen_at(1.4, 0), 0);
+  look(room, 0);
+  EXPECT_GE(memory_.floor().seen_at(0.5, 0), 0);
+  memory_.observe(up);
+  EXPECT_GE(memory_.floor().seen_at(0.5, 0), 0) << "what was seen is not unseen by looking up";
+}
+
+TEST_F(Memory, AWayThatIsShorterThanTheRobotIsWideIsNotClearUnseen) {
+  memory_.moved(kSecond, {});
+  EXPECT_FALSE(memory_.way_clear(0, 0.6, 0.3));
+}
+
+TEST_F(Memory, APictureAboveTheHorizonIsNoLook) {
+  SonarPercept up = FlatRoom{}.look(pose_, 0, kFrame);
+  for (SonarReading& reading : up.readings) reading.answer = Answer::above_horizon;
+  memory_.moved(kFrame, pose_);
+  memory_.observe(up);
+  EXPECT_EQ(memory_.look_age(0), VisualMemory::kNeverLooked);
+}
+
+TEST_F(Memory, AThingIsForgottenInTimeThoughNothingElseIsSeen) {
+  memory_.observe(ThingSeen{}, pose_, 0);
+  memory_.moved(601 * kSecond, pose_);
+  EXPECT_EQ(memory_.things().find(ThingSeen{}.kind, ThingSeen{}.id), nullptr);
+}
+
+TEST_F(Memory, FloorIsStillSeenAfterAMonth) {
+  now_ = 30LL * 24 * 3600 * kSecond;
+  look(FlatRoom{}, 0);
+  EXPECT_GE(memory_.floor().seen_at(0.5, 0), 0);
 }
 
 TEST_F(Memory, WithoutRememberingOnlyTheNewestPictureCounts) {

@@ -178,6 +178,30 @@ TEST_F(Driving, AnotherMotionTakesTheWheels) {
   EXPECT_EQ(drive_.odometry().speed.left_mps, 0);
 }
 
+TEST_F(Driving, APauseCostsNoPatience) {
+  box_room(-1.2, -1.2, 1.8, 1.2);
+  watch_.look_around();
+  run(1.5);
+  ticket_ = pilot_.go_to({0.9, 0}, {1, "b"});
+  run(0.6);
+  motion_.pause(true);
+  run(30);
+  motion_.pause(false);
+  run(20);
+  EXPECT_EQ(motion_.state(ticket_), MotionState::done);
+}
+
+TEST_F(Driving, APausedNeckGoesOnToWhereItWasGoing) {
+  gaze_.pan_to(rad(60));
+  run(0.1);
+  gaze_.pause(true);
+  run(1);
+  EXPECT_LT(neck_.state().angles.pan_rad, rad(40));
+  gaze_.pause(false);
+  run(1);
+  EXPECT_NEAR(neck_.state().angles.pan_rad, rad(60), 1e-9);
+}
+
 TEST_F(Driving, LevelsACameraThatWasLeftLookingUp) {
   gaze_.tilt_to(-rad(35));
   pilot_.roam({1, "b"});
