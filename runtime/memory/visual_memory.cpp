@@ -61,9 +61,11 @@ void VisualMemory::observe(const SonarPercept& sonar) {
     if (blocked && reading.distance_m <= near_m) continue;
     const double from_m = near_m > begins_m_ ? near_m : 0;
     const double length_m = reading.distance_m - (blocked ? kEdge_m : 0) - from_m;
-    if (length_m <= 0) continue;
     const double direction_rad = X.heading_rad + reading.bearing_rad;
-    if (from_m > 0) floor_.mark_ray(X.x_m, X.y_m, direction_rad, from_m, FreeFloor::Mark::before);
+    if (from_m > 0)
+      floor_.mark_ray(X.x_m, X.y_m, direction_rad, std::min(from_m, reading.distance_m),
+                      FreeFloor::Mark::before);
+    if (length_m <= 0) continue;
     floor_.mark_ray(X.x_m + from_m * std::cos(direction_rad), X.y_m + from_m * std::sin(direction_rad),
                     direction_rad, length_m);
   }
