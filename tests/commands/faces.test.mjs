@@ -26,7 +26,7 @@ test('the switch is kept, and what is wrong is said', () => {
   assert.equal(faces('allow', 'on').status, 0);
   assert.match(faces('list').out, /allowed/);
   refused(faces('forget', 'nobody'), /I know nobody called nobody/);
-  refused(faces('learn', 'Ana', join(photographs, 'chessboard.png')), /no face/);
+  refused(faces('learn', 'Ana', join(photographs, 'left01.jpg')), /no face/);
   refused(mirada(['faces', 'learn', 'Ana', file('text.png', 'text'), '--file', known]), /text\.png is no picture/);
   refused(mirada(['faces', '--file', file('broken.json', '{'), 'list']), /broken\.json can't be read/);
 });

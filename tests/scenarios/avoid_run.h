@@ -20,8 +20,8 @@ struct AvoidRun {
   std::string hash;
 };
 
-/// Runs the program in a shipped room, or in one of the laboratory's ("lab:FLOOR:LIGHT:NUMBER"), with the visual
-/// memory or without. Faults when program, room or robot cannot be used.
+/// Runs the program in a shipped room, or in one of the laboratory's ("lab:FLOOR:LIGHT:NUMBER"), with the
+/// visual memory or without. Faults when program, room or robot cannot be used.
 Result<AvoidRun> run_in_room(const std::string& program_json, const std::string& world, std::uint64_t seed,
                              double seconds, bool remembers = true);
 
