@@ -15,7 +15,6 @@
 #include "vision/faces/face_place.h"
 #include "vision/faces/face_watch.h"
 #include "vision/faces/haar_faces.h"
-#include "vision/faces/textured_areas.h"
 #include "world/render/renderer.h"
 
 namespace {
@@ -69,8 +68,7 @@ struct Tally {
 };
 
 /// A head in a photograph without faces; the light falls by `light`, with the noise of a cheap camera.
-Tally composites(const Find& find, double from_px, double to_px, double light, int count, Random& random,
-                 const std::function<void(const cv::Rect2d&)>& told = {}) {
+Tally composites(const Find& find, double from_px, double to_px, double light, int count, Random& random) {
   Tally tally;
   const std::vector<Head> all = heads();
   for (int i = 0; i < count; ++i) {
@@ -97,7 +95,6 @@ Tally composites(const Find& find, double from_px, double to_px, double light, i
     face.x += at.x;
     face.y += at.y;
     tally.look(find(scene), face);
-    if (told) told(face);
   }
   return tally;
 }
@@ -254,59 +251,6 @@ json cost(const RobotConfig& robot) {
           {"p95_ms", ms[ms.size() * 95 / 100]}};
 }
 
-/// The cascade on the same pictures with uniform areas left out and without, by turns in one run.
-json skipping(vision::HaarFaces& haar, const std::string& what,
-              const std::vector<std::pair<cv::Mat, cv::Rect2d>>& pictures) {
-  const SteadyClock clock;
-  std::array<Tally, 2> tallies;
-  std::array<double, 2> ms{};
-  double kept = 0;
-  for (const auto& [bgr, face] : pictures) {
-    cv::Mat gray;
-    cv::cvtColor(bgr, gray, cv::COLOR_BGR2GRAY);
-    for (const cv::Rect& area : vision::textured_areas(gray))
-      kept += static_cast<double>(area.area()) / gray.total();
-    for (const std::size_t skips : {0U, 1U}) {
-      haar.skip_uniform(skips == 1);
-      const Micros before = clock.now();
-      const auto found = haar.find(bgr);
-      ms[skips] += seconds(clock.now() - before) * 1000;
-      tallies[skips].look(found, face);
-    }
-  }
-  haar.skip_uniform(true);
-  const auto count = static_cast<double>(pictures.size());
-  return {{"what", what},
-          {"pictures", pictures.size()},
-          {"area_kept", kept / count},
-          {"whole_ms", ms[0] / count},
-          {"skipping_ms", ms[1] / count},
-          {"whole_hits", tallies[0].hits},
-          {"skipping_hits", tallies[1].hits},
-          {"whole_false", tallies[0].wrong},
-          {"skipping_false", tallies[1].wrong}};
-}
-
-json all_skipping(vision::HaarFaces& haar, const RobotConfig& robot) {
-  std::vector<std::pair<cv::Mat, cv::Rect2d>> photographs, rooms;
-  Random random(7, "skipping");
-  const Find keep = [&](const cv::Mat& bgr) {
-    photographs.emplace_back(bgr.clone(), cv::Rect2d());
-    return std::vector<vision::FaceBox>();
-  };
-  composites(keep, 24, 48, 1, 120, random, [&](const cv::Rect2d& face) { photographs.back().second = face; });
-  for (int i = 0; i < 120; ++i) {
-    world::PersonConfig person;
-    person.height_m = random.uniform(1.0, 1.7);
-    const double away_m = random.uniform(0.7, 1.6);
-    const double side_px = vision::kFaceSize_m / away_m * robot.camera.fx_px;
-    rooms.emplace_back(
-        painted(away_m, 0, person, robot, static_cast<std::uint64_t>(i)),
-        cv::Rect2d(160 - 0.44 * side_px, 120 - 0.54 * side_px, 0.88 * side_px, 1.08 * side_px));
-  }
-  return {skipping(haar, "photographs", photographs), skipping(haar, "simulated rooms", rooms)};
-}
-
 }  // namespace
 
 int main() {
@@ -334,7 +278,6 @@ int main() {
                     {"turned", turned},
                     {"distances", distances(detectors[0].second, robot)},
                     {"backs", backs(robot)},
-                    {"skipping", all_skipping(*haar, robot)},
                     {"cost", cost(robot)}}
                    .dump(1)
             << "\n";

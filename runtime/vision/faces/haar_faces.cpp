@@ -6,7 +6,6 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "vision/faces/textured_areas.h"
 #include "vision/messages.h"
 
 namespace mirada::vision {
@@ -42,29 +41,23 @@ Result<HaarFaces> HaarFaces::open() {
   return HaarFaces(std::move(cascade));
 }
 
-void HaarFaces::search(const cv::Rect& area, double scale, std::vector<FaceBox>& out) {
+std::vector<FaceBox> HaarFaces::find(const cv::Mat& bgr) {
+  if (bgr.empty() || bgr.type() != CV_8UC3 || std::min(bgr.cols, bgr.rows) < 24) return {};
+  cv::cvtColor(bgr, gray_, cv::COLOR_BGR2GRAY);
+  const double scale = std::max(1.0, static_cast<double>(gray_.cols) / kWorkWidth_px);
+  if (scale > 1) cv::resize(gray_, gray_, {}, 1 / scale, 1 / scale, cv::INTER_AREA);
   const int smallest = std::max(20, static_cast<int>(kSmallestShare * gray_.rows));
-  cascade_.detectMultiScale(gray_(area), boxes_, levels_, weights_, kScaleStep, kNeighbours, 0,
+  cascade_.detectMultiScale(gray_, boxes_, levels_, weights_, kScaleStep, kNeighbours, 0,
                             {smallest, smallest}, {}, true);
+  std::vector<FaceBox> out;
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
-    const cv::Rect box = boxes_[i] + area.tl();
+    const cv::Rect& box = boxes_[i];
     // The last stage's margin has no fixed scale; squashed so that more is surer and 1 is never reached.
     const double score = 1 / (1 + std::exp(-std::max(0.0, weights_[i]) / 2));
     // The cascade's square is wider than the face.
     const double side = box.width * scale;
     out.push_back({{box.x * scale + kBeside * side, box.y * scale, (1 - 2 * kBeside) * side, side}, score});
   }
-}
-
-std::vector<FaceBox> HaarFaces::find(const cv::Mat& bgr) {
-  if (bgr.empty() || bgr.type() != CV_8UC3 || std::min(bgr.cols, bgr.rows) < 24) return {};
-  cv::cvtColor(bgr, gray_, cv::COLOR_BGR2GRAY);
-  const double scale = std::max(1.0, static_cast<double>(gray_.cols) / kWorkWidth_px);
-  if (scale > 1) cv::resize(gray_, gray_, {}, 1 / scale, 1 / scale, cv::INTER_AREA);
-  std::vector<FaceBox> out;
-  const std::vector<cv::Rect> areas =
-      skips_ ? textured_areas(gray_) : std::vector<cv::Rect>{cv::Rect({}, gray_.size())};
-  for (const cv::Rect& area : areas) search(area, scale, out);
   std::stable_sort(out.begin(), out.end(),
                    [](const FaceBox& a, const FaceBox& b) { return a.score > b.score; });
   return out;

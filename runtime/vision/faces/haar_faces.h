@@ -17,16 +17,11 @@ class HaarFaces {
 
   /// Faces, surest first, in the picture's own pixels.
   std::vector<FaceBox> find(const cv::Mat& bgr);
-  /// Whether uniform areas are left out (they are): only to measure what that saves.
-  void skip_uniform(bool on) { skips_ = on; }
 
  private:
   explicit HaarFaces(cv::CascadeClassifier cascade) : cascade_(std::move(cascade)) {}
 
-  void search(const cv::Rect& area, double scale, std::vector<FaceBox>& out);
-
   cv::CascadeClassifier cascade_;
-  bool skips_ = true;
   cv::Mat gray_;
   std::vector<cv::Rect> boxes_;
   std::vector<int> levels_;
