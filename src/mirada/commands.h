@@ -13,6 +13,8 @@ struct Commands {
 /// Of an option's text: a number from `least` to `most`, so not NaN either, which CLI11's own Range lets
 /// through.
 CLI::Validator number_between(double least, double most);
+/// As far as every whole number has its own double.
+inline constexpr double kLargestSeed = 9e15;
 
 void add_run(Commands& commands);
 void add_check(Commands& commands);

@@ -203,7 +203,7 @@ void add_distances(CLI::App& lab, const std::shared_ptr<LabOptions>& options, Co
       ->check(number_between(1, 10'000))
       ->capture_default_str();
   app->add_option("--first-seed", options->first_seed, "The first room's seed")
-      ->check(number_between(0, 9e15))
+      ->check(number_between(0, kLargestSeed))
       ->capture_default_str();
   app->add_flag("--mount-errors", options->mount_errors,
                 "Tilt, height and pan are off by chance as the robot's file says (otherwise exactly known)");

@@ -17,7 +17,6 @@ namespace {
 
 constexpr std::uintmax_t kMostProgramBytes = 64u << 20;
 constexpr double kLongest_s = 86'400;
-constexpr double kLargestSeed = 9e15;
 
 std::atomic<bool> stop_asked{false};
 

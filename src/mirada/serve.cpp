@@ -109,7 +109,7 @@ void add_serve(Commands& commands) {
       "--place", options->place,
       "What the robot knows of where it is: the id of a place that ships, or a place.json file");
   command->add_option("--seed", options->seed, "Seed of the room's chance")
-      ->check(number_between(0, 9e15))
+      ->check(number_between(0, kLargestSeed))
       ->capture_default_str();
   command->add_option("--camera", options->camera,
                       "v4l2:0, or a picture or video file, instead of the simulated camera");
