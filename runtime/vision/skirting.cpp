@@ -23,11 +23,11 @@ constexpr int kBoardFloorRows = 10;   // below the foot, at most
 constexpr int kMostBoardRows = 120;
 constexpr float kSmallestStep = 3.5F;  // Look units
 constexpr float kJointStep = 2;
-constexpr float kVaries = 0.4F;      // Look units from column to column: more than noise
-constexpr float kEvenBoard = 0.7F;   // of how much the floor before it varies
-constexpr float kCertain = 5;        // times the standard error
-constexpr float kSameSpot = 3;       // neighbouring columns that show the same spot of a floor
-constexpr double kBoardVotes = 0.8;  // of the columns that are asked
+constexpr float kBoardVaries = 0.4F;  // Look units from column to column: more than noise
+constexpr float kEvenBoard = 0.7F;    // of how much the floor before it varies
+constexpr float kCertain = 5;         // times the standard error
+constexpr float kSameSpot = 3;        // neighbouring columns that show the same spot of a floor
+constexpr double kBoardVotes = 0.8;   // of the columns that are asked
 
 /// Sums of the looks of one column, row by row downwards from where the floor was said to end.
 class Downwards {
@@ -100,7 +100,8 @@ struct Steps {
   /// Painted all alike along the wall, or nothing else is either: the next row of tiles varies as this one
   /// does.
   bool is_even() const {
-    return floor_varies < kVaries * static_cast<float>(votes) || board_varies < kEvenBoard * floor_varies;
+    return floor_varies < kBoardVaries * static_cast<float>(votes) ||
+           board_varies < kEvenBoard * floor_varies;
   }
   /// How clear a step there is; 0: none.
   float clearness(int asked) const {

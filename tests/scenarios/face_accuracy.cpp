@@ -68,7 +68,8 @@ struct Tally {
 };
 
 /// A head in a photograph without faces; the light falls by `light`, with the noise of a cheap camera.
-Tally composites(const Find& find, double from_px, double to_px, double light, int count, Random& random) {
+Tally composites(const Find& find, double from_px, double to_px, double light, int count, Random& random,
+                 const std::function<void(const cv::Rect2d&)>& told = {}) {
   Tally tally;
   const std::vector<Head> all = heads();
   for (int i = 0; i < count; ++i) {
@@ -95,6 +96,7 @@ Tally composites(const Find& find, double from_px, double to_px, double light, i
     face.x += at.x;
     face.y += at.y;
     tally.look(find(scene), face);
+    if (told) told(face);
   }
   return tally;
 }
@@ -251,6 +253,78 @@ json cost(const RobotConfig& robot) {
           {"p95_ms", ms[ms.size() * 95 / 100]}};
 }
 
+struct Shown {
+  cv::Mat bgr;
+  cv::Rect2d face;  // empty: nobody
+};
+
+/// The cascade with uniform areas left out and without, and the network, by turns on the same pictures.
+json skipping(const std::string& what, const std::vector<Shown>& pictures,
+              const std::array<Find, 3>& finders) {
+  const SteadyClock clock;
+  std::array<Tally, 3> tallies;
+  std::array<double, 3> ms{};
+  for (const Shown& shown : pictures) {
+    for (std::size_t i = 0; i < finders.size(); ++i) {
+      const Micros before = clock.now();
+      const auto found = finders[i](shown.bgr);
+      ms[i] += seconds(clock.now() - before) * 1000;
+      tallies[i].look(found, shown.face);
+    }
+  }
+  const auto row = [&](std::size_t i) {
+    return json{{"mean_ms", ms[i] / static_cast<double>(pictures.size())},
+                {"hits", tallies[i].hits},
+                {"false", tallies[i].wrong}};
+  };
+  return {{"what", what},
+          {"pictures", pictures.size()},
+          {"haar_everywhere", row(0)},
+          {"haar", row(1)},
+          {"ultraface", row(2)}};
+}
+
+std::vector<Shown> photographs() {
+  std::vector<Shown> out;
+  Random random(7, "skipping");
+  const Find keep = [&](const cv::Mat& bgr) {
+    out.push_back({bgr.clone(), {}});
+    return std::vector<vision::FaceBox>();
+  };
+  composites(keep, 24, 48, 1, 240, random, [&](const cv::Rect2d& face) { out.back().face = face; });
+  return out;
+}
+
+std::vector<Shown> rooms_with_somebody(const RobotConfig& robot) {
+  std::vector<Shown> out;
+  Random random(7, "skipping rooms");
+  for (std::uint64_t i = 0; i < 120; ++i) {
+    world::PersonConfig person;
+    person.height_m = random.uniform(1.0, 1.7);
+    const double away_m = random.uniform(0.7, 1.6);
+    const double side_px = vision::kFaceSize_m / away_m * robot.camera.fx_px;
+    const cv::Rect2d face(160 - 0.44 * side_px, 120 - 0.54 * side_px, 0.88 * side_px, 1.08 * side_px);
+    out.push_back({painted(away_m, 0, person, robot, i), face});
+  }
+  return out;
+}
+
+/// What a robot that turns on its place sees of a room with nobody in it, close to a wall and farther off.
+std::vector<Shown> empty_rooms(const RobotConfig& robot) {
+  std::vector<Shown> out;
+  world::WorldConfig room = *world::world_by_name("sala-1");
+  room.people.clear();
+  world::Renderer renderer(room, robot.camera, 7);
+  for (int i = 0; i < 120; ++i) {
+    const Pose2& X_WR = room.X_WR_start;
+    const Eigen::Isometry3d X_WR3 =
+        Eigen::Translation3d(X_WR.x_m, X_WR.y_m, 0) *
+        Eigen::AngleAxisd(X_WR.heading_rad + i * 2 * M_PI / 120, Eigen::Vector3d::UnitZ());
+    out.push_back({renderer.render(X_WR3 * robot.X_RC({0, -robot.mount.tilt_rad}), {}, i), {}});
+  }
+  return out;
+}
+
 }  // namespace
 
 int main() {
@@ -262,6 +336,7 @@ int main() {
     std::cerr << "the face model, opencv-data or opencv-doc is missing\n";
     return 2;
   }
+  auto everywhere = vision::HaarFaces::open(vision::HaarFaces::Search::everywhere);
   const std::array<std::pair<std::string, Find>, 2> detectors{
       {{"ultraface", [&](const cv::Mat& bgr) { return net->find(bgr); }},
        {"haar", [&](const cv::Mat& bgr) { return haar->find(bgr); }}}};
@@ -274,10 +349,16 @@ int main() {
         composites(find, 24, 48, 0.25, 120, random).row("24 to 48 px, a quarter of the light", name));
     for (const json& row : turned_heads(find, name, robot)) turned.push_back(row);
   }
+  const std::array<Find, 3> finders{[&](const cv::Mat& bgr) { return everywhere->find(bgr); },
+                                    detectors[1].second, detectors[0].second};
+  const json skips = {skipping("photographs", photographs(), finders),
+                      skipping("simulated rooms with somebody", rooms_with_somebody(robot), finders),
+                      skipping("a simulated room with nobody", empty_rooms(robot), finders)};
   std::cout << json{{"composites", rows},
                     {"turned", turned},
                     {"distances", distances(detectors[0].second, robot)},
                     {"backs", backs(robot)},
+                    {"skipping", skips},
                     {"cost", cost(robot)}}
                    .dump(1)
             << "\n";

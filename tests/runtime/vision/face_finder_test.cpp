@@ -1,5 +1,6 @@
 #include "vision/face_finder.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -127,6 +128,60 @@ TEST(HaarFaces, FindsALargeFaceAndNoneWhereThereIsNone) {
   const auto seen = haar->find(scene);
   ASSERT_EQ(seen.size(), 1u);
   EXPECT_GT((seen.front().box_px & face).area(), 0.6 * face.area());
+}
+
+TEST(HaarFaces, FindsWhatASearchEverywhereFindsAndLooksAtPicturesOfAnyShape) {
+  auto textured = HaarFaces::open();
+  auto everywhere = HaarFaces::open(HaarFaces::Search::everywhere);
+  ASSERT_TRUE(textured.ok() && everywhere.ok());
+  for (const char* name : {"home.jpg", "building.jpg", "board.jpg", "fruits.jpg"}) {
+    for (const double px : {26.0, 44.0, 80.0}) {
+      cv::Mat scene = photograph(name);
+      put_head(scene, px, {40, 20});
+      ASSERT_EQ(everywhere->find(scene).size(), 1u) << name << " " << px;
+      EXPECT_EQ(textured->find(scene).size(), 1u) << name << " " << px;
+    }
+  }
+  // Plain all round, so that only a few squares were asked at first.
+  cv::Mat scene = photograph("home.jpg");
+  put_head(scene, 24, {84, 20});
+  EXPECT_EQ(textured->find(scene).size(), 1u);
+  for (const cv::Size size : {cv::Size(1, 1), cv::Size(24, 24), cv::Size(640, 25), cv::Size(25, 640)})
+    EXPECT_TRUE(textured->find(cv::Mat(size, CV_8UC3, cv::Scalar(90, 90, 90))).empty());
+}
+
+/// Which part of a picture the areas for this size hold.
+double share_of(TexturedAreas& areas, const cv::Mat& gray, int side_px) {
+  areas.look(gray);
+  cv::Mat held(gray.size(), CV_8U, cv::Scalar(0));
+  for (const cv::Rect& area : areas.of_side(side_px)) held(area) = 1;
+  return static_cast<double>(cv::countNonZero(held)) / static_cast<double>(gray.total());
+}
+
+TEST(TexturedAreas, LeaveOutWallsAndEdgesAndKeepAFaceInAnyLight) {
+  cv::Mat wall(240, 320, CV_8U, cv::Scalar(150));
+  wall(cv::Rect(0, 0, 320, 100)) = 220;   // where the ceiling begins
+  wall(cv::Rect(90, 100, 40, 140)) = 40;  // a door post
+  cv::Mat noise(wall.size(), CV_16S);
+  cv::randn(noise, 0, 3);
+  cv::add(wall, noise, wall, {}, CV_8U);
+  TexturedAreas areas;
+  for (const int side : {24, 60}) EXPECT_LT(share_of(areas, wall, side), 0.1) << side;
+
+  cv::Mat scene = photograph("home.jpg"), gray;
+  scene.setTo(cv::Scalar::all(150));
+  const cv::Rect2d face = put_head(scene, 40, {200, 100});
+  cv::cvtColor(scene, gray, cv::COLOR_BGR2GRAY);
+  const cv::Mat bright = gray.clone();
+  for (const auto& [light, haze] : {std::pair(1.0, 0.0), {0.25, 0.0}, {0.4, 90.0}}) {
+    bright.convertTo(gray, -1, light, haze);
+    areas.look(gray);
+    const auto holds = [&](const cv::Rect& area) {
+      return (cv::Rect2d(area) & face).area() > 0.99 * face.area();
+    };
+    EXPECT_TRUE(std::ranges::any_of(areas.of_side(48), holds)) << light;
+    EXPECT_LT(share_of(areas, gray, 48), 0.35) << light;
+  }
 }
 
 }  // namespace
