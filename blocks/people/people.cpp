@@ -2,7 +2,6 @@
 #include <chrono>
 #include <future>
 #include <memory>
-#include <thread>
 #include <utility>
 
 #include "blocks/call_checks.h"
@@ -77,18 +76,6 @@ struct LessonInHand final : vm::NativeState {
   LessonInHand(std::shared_ptr<vision::FaceBook> of, const std::string& name, Micros now)
       : book(std::move(of)), number(book->begin_lesson(name)), since(now) {}
   ~LessonInHand() override { (void)book->end_lesson(number, false); }
-  /// Keeps what was learnt; a file is written beside the motor loop, which must not wait for a slow card.
-  std::future<Status> keep() const {
-    std::packaged_task<Status()> task(
-        [book = book, number = number] { return book->end_lesson(number, true); });
-    std::future<Status> answer = task.get_future();
-    if (book->is_kept()) {
-      std::thread(std::move(task)).detach();
-    } else {
-      task();
-    }
-    return answer;
-  }
   std::shared_ptr<vision::FaceBook> book;
   std::uint64_t number;
   Micros since;
@@ -125,7 +112,8 @@ NativeResult learn_face(robot::Robot& robot, NativeCall& call) {
       say(make_fault(call.block(), messages::face_not_learnt, {{"name", call.text(0)}}));
       return NativeResult::finished();
     }
-    lesson.kept = lesson.keep();
+    // A file is written beside the motor loop, which must not wait for a slow card.
+    lesson.kept = lesson.book->keep_lesson(lesson.number);
   }
   if (lesson.kept.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
     return NativeResult::again_at();

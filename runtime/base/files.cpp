@@ -6,6 +6,7 @@
 #include <fcntl.h>
 #include <fstream>
 #include <sstream>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -80,6 +81,15 @@ Status write_file_atomically(const fs::path& path, std::string_view bytes, unsig
   }
   sync_folder(path.parent_path());
   return Ok{};
+}
+
+FileLock::FileLock(const fs::path& path)
+    : fd_(::open((path.string() + ".lock").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600)) {
+  if (fd_ >= 0) (void)::flock(fd_, LOCK_EX);
+}
+
+FileLock::~FileLock() {
+  if (fd_ >= 0) ::close(fd_);
 }
 
 fs::path data_folder(std::string_view name) {

@@ -15,6 +15,19 @@ Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t 
 /// of one. The file has the rights `mode`, less what the umask takes.
 Status write_file_atomically(const std::filesystem::path& path, std::string_view bytes, unsigned mode = 0644);
 
+/// While it lives, others who ask for the same file wait, in this program and in any other (flock of a file
+/// beside it). Where that file cannot be made, nobody waits.
+class FileLock {
+ public:
+  explicit FileLock(const std::filesystem::path& path);
+  ~FileLock();
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+ private:
+  int fd_;
+};
+
 /// The folder that holds a data folder such as "blocks", "ui/dist", "runtime/model/robots" or
 /// "runtime/world/rooms": found relative to the executable, in a build tree (the source tree above it) or
 /// installed (../share/mirada). MIRADA_DATA in the environment overrides it.

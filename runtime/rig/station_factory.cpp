@@ -7,8 +7,21 @@
 #include "rig/own_folder.h"
 #include "rig/setup_reader.h"
 #include "vision/face_finder.h"
+#include "vision/messages.h"
 
 namespace mirada::rig {
+namespace {
+
+/// The robot's own: one that cannot be read is left as it is, and the robot works without.
+Result<std::shared_ptr<vision::FaceBook>> own_faces(const Tell& tell) {
+  auto book = vision::FaceBook::open(known_faces_file());
+  if (book) return book;
+  for (const Fault& why : book.faults()) tell(why);
+  tell(make_fault("faces", messages::face_book_left));
+  return std::make_shared<vision::FaceBook>();
+}
+
+}  // namespace
 
 Result<std::unique_ptr<session::Station>> make_station(const StationOptions& options) {
   session::Setup setup;
@@ -22,8 +35,7 @@ Result<std::unique_ptr<session::Station>> make_station(const StationOptions& opt
   parts->face_model = options.face_model;
   const auto faces = vision::check_face_model(options.face_model);
   if (!faces) return faces.faults();
-  auto book = vision::FaceBook::open(options.faces.empty() ? known_faces_file()
-                                                           : std::filesystem::path(options.faces));
+  auto book = options.faces.empty() ? own_faces(tell) : vision::FaceBook::open(options.faces);
   if (!book) return book.faults();
   parts->book = *book;
   for (const Fault& note : parts->notes) tell(note);

@@ -1,6 +1,7 @@
 #include "vision/identity/face_book.h"
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -83,13 +84,32 @@ Status check_face_name(const std::string& name) {
 
 Result<std::shared_ptr<FaceBook>> FaceBook::open(const std::filesystem::path& file) {
   std::shared_ptr<FaceBook> book(new FaceBook(file));
+  if (const Status done = book->take_over(); !done) return done.faults();
+  return book;
+}
+
+/// What the file holds now: nobody when it is gone. A fault, and nothing is different, when it cannot be
+/// read.
+Status FaceBook::take_over() {
   std::error_code error;
-  if (!std::filesystem::exists(file, error)) return book;
-  const auto text = read_file(file, kLargestBook);
-  const Status done = text ? book->read(*text) : Status(text.faults());
-  if (done) return book;
-  return make_fault(file.string(), messages::face_book_broken,
-                    {{"file", file.string()}, {"reason", done.faults().front().text(Lang::en)}});
+  if (!std::filesystem::exists(file_, error)) {
+    set({}, false);
+    return Ok{};
+  }
+  const auto text = read_file(file_, kLargestBook);
+  const Status done = text ? read(*text) : Status(text.faults());
+  if (done) return done;
+  return make_fault(file_.string(), messages::face_book_broken,
+                    {{"file", file_.string()}, {"reason", done.faults().front().text(Lang::en)}});
+}
+
+void FaceBook::set(std::vector<Known> people, bool allowed) {
+  std::sort(people.begin(), people.end(), [](const Known& a, const Known& b) { return a.name < b.name; });
+  const std::lock_guard lock(mutex_);
+  if (people == people_ && allowed == allowed_) return;
+  people_ = std::move(people);
+  allowed_ = allowed;
+  ++revision_;
 }
 
 Result<std::shared_ptr<FaceBook>> FaceBook::copy_of(const std::filesystem::path& file) {
@@ -107,7 +127,8 @@ Status FaceBook::read(const std::string& text) {
   JsonReader in(*parsed, "", faults);
   in.choice("format", {"mirada-faces"});
   in.number("version", 1, 1);
-  allowed_ = in.truth_or("allowed", false);
+  const bool allowed = in.truth_or("allowed", false);
+  std::vector<Known> people;
   for (JsonReader& person : in.objects("people", kMostPeople)) {
     // Names that once were taken load for ever.
     Known known{printable(person.text("name")), person.text("kind"), {}};
@@ -116,10 +137,10 @@ Status FaceBook::read(const std::string& text) {
       known.looks.emplace_back(values.begin(), values.end());
     }
     if (const Status fine = check_face_name(known.name); !fine) faults.push_back(fine.faults().front());
-    people_.push_back(std::move(known));
+    people.push_back(std::move(known));
   }
   if (has_errors(faults)) return faults;
-  std::sort(people_.begin(), people_.end(), [](const Known& a, const Known& b) { return a.name < b.name; });
+  set(std::move(people), allowed);
   return Ok{};
 }
 
@@ -131,8 +152,6 @@ Status FaceBook::write(const std::vector<Known>& people, bool allowed) const {
     for (const FaceFeature& look : person.looks) looks.push_back({{"feature", look}});
     out["people"].push_back({{"name", person.name}, {"kind", person.kind}, {"looks", std::move(looks)}});
   }
-  std::error_code error;
-  if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path(), error);
   return write_file_atomically(file_, out.dump() + "\n", kOwnerOnly);
 }
 
@@ -143,6 +162,13 @@ Status FaceBook::change(const Edit& edit, bool ends_lesson) {
 
 /// Written first, believed then. A lesson that began while the file was written ends, too.
 Status FaceBook::change_now(const Edit& edit, bool ends_lesson) {
+  std::optional<FileLock> others_wait;
+  if (is_kept()) {
+    std::error_code error;
+    if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path(), error);
+    others_wait.emplace(file_);
+    if (const Status taken = take_over(); !taken) return taken;
+  }
   std::vector<Known> people;
   bool allowed = false;
   {
@@ -154,15 +180,12 @@ Status FaceBook::change_now(const Edit& edit, bool ends_lesson) {
   const Result<bool> changed = edit(people, allowed);
   if (!changed) return changed.faults();
   if (!*changed) return Ok{};
-  std::sort(people.begin(), people.end(), [](const Known& a, const Known& b) { return a.name < b.name; });
   if (is_kept()) {
     if (const Status written = write(people, allowed); !written) return written;
   }
+  set(std::move(people), allowed);
   const std::lock_guard lock(mutex_);
-  people_ = std::move(people);
-  allowed_ = allowed;
   if (ends_lesson) lesson_.reset();
-  ++revision_;
   return Ok{};
 }
 
@@ -308,6 +331,20 @@ Status FaceBook::end_lesson(std::uint64_t lesson, bool keep) {
         return add(people, done.name, done.kind, done.looks);
       },
       false);
+}
+
+std::future<Status> FaceBook::keep_lesson(std::uint64_t lesson) {
+  std::packaged_task<Status()> task([this, lesson] { return end_lesson(lesson, true); });
+  std::future<Status> answer = task.get_future();
+  if (!is_kept()) {
+    task();
+    return answer;
+  }
+  const std::lock_guard lock(writing_mutex_);
+  writing_.remove_if(
+      [](const auto& one) { return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
+  writing_.push_back(std::async(std::launch::async, std::move(task)));
+  return answer;
 }
 
 }  // namespace mirada::vision

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <future>
+#include <list>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -17,7 +19,8 @@ namespace mirada::vision {
 
 /// The people whose faces were learnt: a name and features each, never pictures; and whether anybody may be
 /// learnt or recognised at all, which a teacher decides (off at first). Kept in one file, written atomically,
-/// or in memory only. Every call may come from any thread; what changes people or allowed() waits for the
+/// or in memory only. Other programs may change the same file: what they did is taken over with the next
+/// change made here. Every call may come from any thread; what changes people or allowed() waits for the
 /// file, everything else never does.
 class FaceBook {
  public:
@@ -32,9 +35,6 @@ class FaceBook {
 
   /// What this file holds, allowed and in memory only: changes are not written. No file: nobody.
   static Result<std::shared_ptr<FaceBook>> copy_of(const std::filesystem::path& file);
-
-  /// Changes are written to a file, which can take long.
-  bool is_kept() const { return !file_.empty(); }
 
   bool allowed() const;
   Status allow(bool on);
@@ -76,6 +76,8 @@ class FaceBook {
   std::vector<FaceFeature> lesson_looks() const;
   /// Ends it: its looks are learnt, or dropped. Nothing happens when it is over already.
   Status end_lesson(std::uint64_t lesson, bool keep);
+  /// end_lesson(lesson, true), without waiting for a file; the book is not destroyed before that is written.
+  std::future<Status> keep_lesson(std::uint64_t lesson);
 
   static constexpr int kLessonLooks = 8;
   static constexpr int kFewestLooks = 3;  ///< a shorter lesson is none
@@ -85,6 +87,7 @@ class FaceBook {
     std::string name;
     std::string kind;
     std::vector<FaceFeature> looks;
+    bool operator==(const Known&) const = default;
   };
   struct Lesson {
     std::uint64_t number = 0;
@@ -95,7 +98,10 @@ class FaceBook {
   };
 
   explicit FaceBook(std::filesystem::path file) : file_(std::move(file)) {}
+  bool is_kept() const { return !file_.empty(); }
+  Status take_over();
   Status read(const std::string& text);
+  void set(std::vector<Known> people, bool allowed);
   /// Whether anything is different then.
   using Edit = std::function<Result<bool>(std::vector<Known>& people, bool& allowed)>;
   Status change(const Edit& edit, bool ends_lesson = false);
@@ -112,6 +118,8 @@ class FaceBook {
   std::atomic<std::uint64_t> revision_ = 1;
   std::optional<Lesson> lesson_;
   std::uint64_t lessons_ = 0;
+  std::mutex writing_mutex_;                ///< of writing_
+  std::list<std::future<void>> writing_{};  ///< waited for first of all when the book is destroyed
 };
 
 /// Whether this may be somebody's name: 1 to 40 characters of text.

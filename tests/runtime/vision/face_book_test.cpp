@@ -135,6 +135,40 @@ TEST_F(FaceBookTest, ACopyIsNotWritten) {
   EXPECT_TRUE(FaceBook::copy_of(folder / "none.json").value()->people().empty());
 }
 
+TEST_F(FaceBookTest, WhatAnotherProgramDoesToTheFileIsNotUndone) {
+  const auto one = FaceBook::open(file).value();
+  const auto other = FaceBook::open(file).value();
+  ASSERT_TRUE(one->learn("Ana", "a", {along(0)}).ok());
+  ASSERT_TRUE(other->learn("Zoe", "a", {along(1)}).ok());
+  EXPECT_THAT(names(*FaceBook::open(file).value()), testing::ElementsAre("Ana", "Zoe"));
+  EXPECT_THAT(names(*other), testing::ElementsAre("Ana", "Zoe"));
+  ASSERT_TRUE(one->forget("Zoe").ok());
+  ASSERT_TRUE(other->allow(true).ok());
+  EXPECT_THAT(names(*FaceBook::open(file).value()), testing::ElementsAre("Ana"));
+  // Somebody deleted it, or spoilt it.
+  fs::remove(file);
+  ASSERT_TRUE(one->learn("Leo", "a", {along(2)}).ok());
+  EXPECT_THAT(names(*FaceBook::open(file).value()), testing::ElementsAre("Leo"));
+  ASSERT_TRUE(write_file_atomically(file, "{").ok());
+  EXPECT_EQ(one->learn("Mia", "a", {along(3)}).faults().front().code(), "face_book_broken");
+  EXPECT_EQ(read_file(file).value(), "{");
+  EXPECT_THAT(names(*one), testing::ElementsAre("Leo"));
+}
+
+TEST_F(FaceBookTest, ALessonThatIsKeptWhenTheBookIsClosedIsInTheFile) {
+  for (int round = 0; round < 20; ++round) {
+    fs::remove(file);
+    auto book = FaceBook::open(file).value();
+    ASSERT_TRUE(book->allow(true).ok());
+    const auto lesson = book->begin_lesson("Ana");
+    book->teach(lesson, "a", along(0), nullptr);
+    std::future<Status> kept = book->keep_lesson(lesson);
+    book.reset();
+    EXPECT_TRUE(kept.get().ok());
+    EXPECT_THAT(names(*FaceBook::open(file).value()), testing::ElementsAre("Ana"));
+  }
+}
+
 TEST(FaceBook, NamesAreTextAndNothingElse) {
   EXPECT_TRUE(check_face_name("Zoë 😀"));
   for (const char* bad : {"", "  ", "a\x1b[2J", "a\nb", "\u202Eana", "a\u2028b", "\u061Cb", "a\u0085"})
