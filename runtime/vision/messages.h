@@ -34,8 +34,8 @@ inline constexpr Message face_identity_plain{
     "Distingo las caras de la manera sencilla (patrones locales), porque las redes para ello no están aquí. "
     "Arráncame con scripts/run cuando haya internet y se descargarán."};
 inline constexpr Message face_book_broken{
-    "face_book_broken", "The learnt faces in {file} can't be read: {reason} Mend the file or delete it.",
-    "No se pueden leer las caras aprendidas de {file}: {reason} Arregla el archivo o bórralo."};
+    "face_book_broken", "The learnt faces in {file} can't be read. Mend the file or delete it.",
+    "No se pueden leer las caras aprendidas de {file}. Arregla el archivo o bórralo."};
 inline constexpr Message face_book_left{
     "face_book_left", "Until then I know nobody, and whom I learn now I forget when I am switched off.",
     "Hasta entonces no conozco a nadie, y a quien aprenda ahora lo olvido al apagarme."};

@@ -99,8 +99,9 @@ Status FaceBook::take_over() {
   const auto text = read_file(file_, kLargestBook);
   const Status done = text ? read(*text) : Status(text.faults());
   if (done) return done;
-  return make_fault(file_.string(), messages::face_book_broken,
-                    {{"file", file_.string()}, {"reason", done.faults().front().text(Lang::en)}});
+  Faults faults{make_fault(file_.string(), messages::face_book_broken, {{"file", file_.string()}})};
+  faults.insert(faults.end(), done.faults().begin(), done.faults().end());
+  return faults;
 }
 
 void FaceBook::set(std::vector<Known> people, bool allowed) {
