@@ -245,6 +245,7 @@ bool ColumnScan::is_band(int column, int from_row, int to_row) const {
   const int middle = (from_row + to_row) / 2;
   const auto depth_m = [&](int row) { return scale_.depth_m[static_cast<std::size_t>(std::max(row, 0))]; };
   const double deep_m = depth_m(to_row) - depth_m(from_row);
+  if (deep_m <= kWidestLine_m) return true;
   const double cell_m = depth_m(middle) / scale_.focal_cells;
   const Width width = width_at(column, middle, static_cast<int>(3 * kWidestLine_m / cell_m));
   const double wide_m = width.cells * cell_m;
