@@ -233,7 +233,23 @@ bool is_blend(const ColumnScan& scan, int left, int right, const ColumnResult& r
   return true;
 }
 
-/// Narrow things that turn out to have no sides give way to what stands beside them.
+/// Whether other columns near by end about as far up the picture, as they do along the foot of one thing that
+/// is seen here and there only.
+bool goes_on_beside(const std::vector<ColumnResult>& results, int left, int right) {
+  constexpr int kReach = 14;
+  constexpr double kRows = 8;
+  const double row = results[static_cast<std::size_t>(left)].row;
+  for (int c = left - kReach; c <= right + kReach; ++c) {
+    const bool itself = c >= left - 1 && c <= right + 1;
+    if (itself || c < 0 || c >= static_cast<int>(results.size())) continue;
+    const ColumnResult& other = results[static_cast<std::size_t>(c)];
+    if (ends_low(other) && std::abs(other.row - row) <= kRows) return true;
+  }
+  return false;
+}
+
+/// Narrow things that turn out to have no sides give way to what stands beside them; near by only single
+/// ones, for a thing in the floor's colour may show no more.
 void drop_specks(const ColumnScan& scan, std::vector<ColumnResult>& results) {
   const int count = static_cast<int>(results.size());
   const auto at = [&](int column) -> ColumnResult& { return results[static_cast<std::size_t>(column)]; };
@@ -244,7 +260,8 @@ void drop_specks(const ColumnScan& scan, std::vector<ColumnResult>& results) {
       int nearest = left;
       for (int c = left; c <= right; ++c)
         if (at(c).row > at(nearest).row) nearest = c;
-      if (scan.is_careful_at(static_cast<int>(at(nearest).row)) ||
+      const bool near = scan.is_careful_at(static_cast<int>(at(nearest).row));
+      if ((near && goes_on_beside(results, left, right)) ||
           (has_sides(scan, left, right, at(nearest)) && !is_blend(scan, left, right, at(nearest))))
         continue;
       const bool left_is_nearer = right + 1 >= count || (left > 0 && at(left - 1).row > at(right + 1).row);

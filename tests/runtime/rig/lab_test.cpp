@@ -254,6 +254,18 @@ TEST(LabDistances, AFloorLearntInTheShadeIsKnownInTheSun) {
   EXPECT_LT(all.missed, 0.01);
 }
 
+TEST(LabDistances, SingleSpotsOfACarpetAreNoObstacles) {
+  LabPlan plan;
+  plan.floors = {world::FloorKind::carpet};
+  plan.lights = {LabLight::dim};
+  plan.seeds = 1;
+  plan.first_seed = 31000;
+  plan.robot = lab_robot();
+  const LabScore all = score_tables(look_at_rooms(plan)).front().rows.front();
+  EXPECT_LT(all.imagined, 0.008);
+  EXPECT_LT(all.missed, 0.001);
+}
+
 TEST(LabDistances, ScoresEveryDegreeOfARoomAndIsDeterministic) {
   LabPlan plan;
   plan.floors = {world::FloorKind::carpet};
