@@ -241,29 +241,32 @@ TEST_F(LabFolder, EveryFaultOfTruthJsonComesAtOnce) {
   EXPECT_THAT(to_text(samples.faults(), Lang::en), HasSubstr("There is no file"));
 }
 
+LabScore score_of_room(world::FloorKind floor, LabLight light, std::uint64_t seed) {
+  LabPlan plan;
+  plan.floors = {floor};
+  plan.lights = {light};
+  plan.seeds = 1;
+  plan.first_seed = seed;
+  plan.robot = lab_robot();
+  return score_tables(look_at_rooms(plan)).front().rows.front();
+}
+
 // A room that the robot first sees in a shade: its lit planks are the same floor.
 TEST(LabDistances, AFloorLearntInTheShadeIsKnownInTheSun) {
-  LabPlan plan;
-  plan.floors = {world::FloorKind::wood};
-  plan.lights = {LabLight::side};
-  plan.seeds = 1;
-  plan.first_seed = 5000;
-  plan.robot = lab_robot();
-  const LabScore all = score_tables(look_at_rooms(plan)).front().rows.front();
+  const LabScore all = score_of_room(world::FloorKind::wood, LabLight::side, 5000);
   EXPECT_LT(all.imagined, 0.5);
   EXPECT_LT(all.missed, 0.01);
 }
 
 TEST(LabDistances, SingleSpotsOfACarpetAreNoObstacles) {
-  LabPlan plan;
-  plan.floors = {world::FloorKind::carpet};
-  plan.lights = {LabLight::dim};
-  plan.seeds = 1;
-  plan.first_seed = 31000;
-  plan.robot = lab_robot();
-  const LabScore all = score_tables(look_at_rooms(plan)).front().rows.front();
+  const LabScore all = score_of_room(world::FloorKind::carpet, LabLight::dim, 31000);
   EXPECT_LT(all.imagined, 0.008);
   EXPECT_LT(all.missed, 0.001);
+}
+
+TEST(LabDistances, LinesThatRunOutOfThePictureNearByAreMostlyNoObstacles) {
+  EXPECT_LT(score_of_room(world::FloorKind::wood, LabLight::even, 31007).imagined, 0.12);
+  EXPECT_LT(score_of_room(world::FloorKind::tiles, LabLight::side, 31006).imagined, 0.03);
 }
 
 TEST(LabDistances, ScoresEveryDegreeOfARoomAndIsDeterministic) {
