@@ -30,6 +30,11 @@ std::string cascade_file() {
   return std::string(kFolders[0]) + "/" + kFile;
 }
 
+bool overlaps_any(const cv::Rect& box, const std::vector<cv::Rect>& others) {
+  return std::any_of(others.begin(), others.end(),
+                     [&](const cv::Rect& other) { return (box & other).area() > 0; });
+}
+
 }  // namespace
 
 Result<HaarFaces> HaarFaces::open(Search search) {
@@ -79,12 +84,14 @@ void HaarFaces::add(const cv::Rect& area, double scale_step, int neighbours, int
 void HaarFaces::look_again(const std::vector<cv::Rect>& all) {
   std::vector<cv::Rect> doubtful;
   for (const cv::Rect& box : all) {
-    const auto overlaps = [&](const cv::Rect& other) { return (box & other).area() > 0; };
-    if (std::any_of(boxes_.begin(), boxes_.end(), overlaps)) continue;
-    const auto beside = std::find_if(doubtful.begin(), doubtful.end(), overlaps);
+    if (overlaps_any(box, boxes_)) continue;
+    const auto beside = std::find_if(doubtful.begin(), doubtful.end(),
+                                     [&](const cv::Rect& other) { return (box & other).area() > 0; });
     beside == doubtful.end() ? doubtful.push_back(box) : void(*beside |= box);
   }
   for (const cv::Rect& box : doubtful) {
+    // Found already round the one before.
+    if (overlaps_any(box, boxes_)) continue;
     const int side = std::min(box.width, box.height), around = side / 4;
     const cv::Rect area =
         cv::Rect(box.x - around, box.y - around, box.width + 2 * around, box.height + 2 * around) &

@@ -161,14 +161,17 @@ Status FaceBook::change(const Edit& edit, bool ends_lesson) {
   return change_now(edit, ends_lesson);
 }
 
-/// Written first, believed then. A lesson that began while the file was written ends, too.
+/// Written first, believed then; but a no and forgetting everybody hold here even when the file cannot be
+/// read or written. A lesson that began while the file was written ends with them, too.
 Status FaceBook::change_now(const Edit& edit, bool ends_lesson) {
   std::optional<FileLock> others_wait;
+  Status kept = Ok{};
   if (is_kept()) {
     std::error_code error;
     if (file_.has_parent_path()) std::filesystem::create_directories(file_.parent_path(), error);
     others_wait.emplace(file_);
-    if (const Status taken = take_over(); !taken) return taken;
+    kept = take_over();
+    if (!kept && !ends_lesson) return kept;
   }
   std::vector<Known> people;
   bool allowed = false;
@@ -180,14 +183,13 @@ Status FaceBook::change_now(const Edit& edit, bool ends_lesson) {
   }
   const Result<bool> changed = edit(people, allowed);
   if (!changed) return changed.faults();
-  if (!*changed) return Ok{};
-  if (is_kept()) {
-    if (const Status written = write(people, allowed); !written) return written;
-  }
+  if (!*changed) return kept;
+  if (is_kept() && kept) kept = write(people, allowed);
+  if (!kept && !ends_lesson) return kept;
   set(std::move(people), allowed);
   const std::lock_guard lock(mutex_);
   if (ends_lesson) lesson_.reset();
-  return Ok{};
+  return kept;
 }
 
 bool FaceBook::allowed() const {

@@ -155,6 +155,20 @@ TEST_F(FaceBookTest, WhatAnotherProgramDoesToTheFileIsNotUndone) {
   EXPECT_THAT(names(*one), testing::ElementsAre("Leo"));
 }
 
+TEST_F(FaceBookTest, ANoAndForgettingEverybodyHoldThoughTheFileIsSpoilt) {
+  const auto book = FaceBook::open(file).value();
+  ASSERT_TRUE(book->allow(true).ok());
+  ASSERT_TRUE(book->learn("Ana", "a", {along(0)}).ok());
+  ASSERT_TRUE(write_file_atomically(file, "{").ok());
+  (void)book->begin_lesson("Zoe");
+  EXPECT_EQ(book->allow(false).faults().front().code(), "face_book_broken");
+  EXPECT_FALSE(book->allowed());
+  EXPECT_FALSE(book->lesson());
+  EXPECT_FALSE(book->forget_all().ok());
+  EXPECT_TRUE(book->people().empty());
+  EXPECT_EQ(read_file(file).value(), "{");
+}
+
 TEST_F(FaceBookTest, ALessonThatIsKeptWhenTheBookIsClosedIsInTheFile) {
   for (int round = 0; round < 20; ++round) {
     fs::remove(file);
