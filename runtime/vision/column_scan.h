@@ -37,6 +37,7 @@ struct ColumnResult {
   double row = 0;        ///< where the floor ends, sub-pixel; half rows lie between two cells
   double sigma_row = 1;  ///< in grid rows
   int stop = -1;         ///< the crossing that turned out to be a thing
+  double low_row = -1;   ///< the row before narrow spots gave way to what stands beside; -1: no end low down
   int crossing_count = 0;
   std::array<Crossing, kMostCrossings> crossings{};
 };

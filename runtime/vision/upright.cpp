@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "vision/specks.h"
+
 namespace mirada::vision {
 namespace {
 
@@ -17,12 +19,9 @@ constexpr double kOverlap = 0.4;
 constexpr double kAlike = 0.35;  // a side that falls off faster is upright
 constexpr double kVaries = 0.12;
 constexpr double kSeenShare = 0.35;  // of the side
-constexpr double kSideSeen = 0.65;   // of the rows
 constexpr float kWorthIt_m = 0.025;  // lower things are passed over
 constexpr float kStrip_m = 0.012;    // of a wall, below a picture that hangs on it
 constexpr float kShadow_m = 0.04F;   // of a thing on the floor before it, as high as if it stood
-constexpr int kSpeckColumns = 4;
-constexpr int kSpeckRows = 14;
 constexpr double kSameFoot_rows = 4;
 constexpr int kBeyondRows = 6;
 constexpr int kFewOf = 3;      // one column in so many that was not crossed says nothing
@@ -143,7 +142,7 @@ Side side_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
   const int far = outside + step >= 0 && outside + step < count ? outside + step : outside;
   const double change = std::max(scan.change_between(inside, outside, end.from_row, to_row),
                                  scan.change_between(inside, far, end.from_row, to_row));
-  return change > kSideSeen ? Side::upright : Side::unknown;
+  return change > kSideSeenShare ? Side::upright : Side::unknown;
 }
 
 enum class Kind { thing, flat, unsure };
@@ -186,91 +185,6 @@ Kind kind_of(const ColumnScan& scan, const std::vector<ColumnResult>& results,
   const Kind kind = kind_of_patch(scan, results, spans, column, crossing);
   return crossing.large && kind != Kind::flat ? Kind::thing : kind;
 }
-/// A narrow thing has two sides that go up from its foot; a speck, a vein of stone or a scratch has not.
-bool has_sides(const ColumnScan& scan, int left, int right, const ColumnResult& result) {
-  const int from = static_cast<int>(result.row) - 1;
-  const int to = std::max(0, from - kSpeckRows);
-  const auto side = [&](int inside, int outside, int farther) {
-    return std::max(scan.change_between(inside, outside, from, to),
-                    scan.change_between(inside, farther, from, to)) > kSideSeen;
-  };
-  // The picture's side hides a side.
-  return (left < 2 || side(left, left - 1, left - 2)) &&
-         (right + 2 >= scan.columns() || side(right, right + 1, right + 2));
-}
-
-bool ends_low(const ColumnResult& result) {
-  return result.end == End::boundary || result.end == End::not_floor_below;
-}
-
-/// Whether columns left..right end nearer than what is beside them by so much that it is another thing. At
-/// the picture's side one neighbour is enough.
-bool stands_out(const std::vector<ColumnResult>& results, int left, int right) {
-  constexpr double kJump_rows = 5;
-  const int count = static_cast<int>(results.size());
-  const auto at = [&](int column) -> const ColumnResult& {
-    return results[static_cast<std::size_t>(column)];
-  };
-  for (int c = left; c <= right; ++c) {
-    if (!ends_low(at(c))) return false;
-    for (const int next : {left - 1, right + 1}) {
-      if (next < 0 || next >= count) continue;
-      if (at(next).end == End::nothing || at(next).end == End::above_horizon ||
-          at(c).row <= at(next).row + kJump_rows)
-        return false;
-    }
-  }
-  return true;
-}
-
-/// Whether all columns look like a mixture of what is beside them: the rim of a shade or a tile.
-bool is_blend(const ColumnScan& scan, int left, int right, const ColumnResult& result) {
-  const int from = static_cast<int>(result.row);
-  const bool below = result.end == End::not_floor_below;
-  if (!below || left == 0 || right + 1 >= scan.columns()) return false;
-  for (int c = left; c <= right; ++c)
-    if (!scan.lies_between(c, left - 1, right + 1, from, std::max(0, from - kSpeckRows))) return false;
-  return true;
-}
-
-/// Whether other columns near by end about as far up the picture, as they do along the foot of one thing that
-/// is seen here and there only.
-bool goes_on_beside(const std::vector<ColumnResult>& results, int left, int right) {
-  constexpr int kReach = 14;
-  constexpr double kRows = 8;
-  const double row = results[static_cast<std::size_t>(left)].row;
-  for (int c = left - kReach; c <= right + kReach; ++c) {
-    const bool itself = c >= left - 1 && c <= right + 1;
-    if (itself || c < 0 || c >= static_cast<int>(results.size())) continue;
-    const ColumnResult& other = results[static_cast<std::size_t>(c)];
-    if (ends_low(other) && std::abs(other.row - row) <= kRows) return true;
-  }
-  return false;
-}
-
-/// Narrow things that turn out to have no sides give way to what stands beside them; near by only single
-/// ones, for a thing in the floor's colour may show no more.
-void drop_specks(const ColumnScan& scan, std::vector<ColumnResult>& results) {
-  const int count = static_cast<int>(results.size());
-  const auto at = [&](int column) -> ColumnResult& { return results[static_cast<std::size_t>(column)]; };
-  for (int width = 1; width <= kSpeckColumns; ++width) {
-    for (int left = 0; left + width <= count; ++left) {
-      const int right = left + width - 1;
-      if (!stands_out(results, left, right)) continue;
-      int nearest = left;
-      for (int c = left; c <= right; ++c)
-        if (at(c).row > at(nearest).row) nearest = c;
-      const bool near = scan.is_careful_at(static_cast<int>(at(nearest).row));
-      if ((near && goes_on_beside(results, left, right)) ||
-          (has_sides(scan, left, right, at(nearest)) && !is_blend(scan, left, right, at(nearest))))
-        continue;
-      const bool left_is_nearer = right + 1 >= count || (left > 0 && at(left - 1).row > at(right + 1).row);
-      const ColumnResult kept = left_is_nearer ? at(left - 1) : at(right + 1);
-      for (int c = left; c <= right; ++c) at(c) = kept;
-    }
-  }
-}
-
 }  // namespace
 
 void stop_at_upright(const ColumnScan& scan, const std::vector<ColumnSpan>& spans,
