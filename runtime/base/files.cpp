@@ -85,7 +85,8 @@ Status write_file_atomically(const fs::path& path, std::string_view bytes, unsig
 
 FileLock::FileLock(const fs::path& path)
     : fd_(::open((path.string() + ".lock").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600)) {
-  if (fd_ >= 0) (void)::flock(fd_, LOCK_EX);
+  while (fd_ >= 0 && ::flock(fd_, LOCK_EX) != 0 && errno == EINTR) {
+  }
 }
 
 FileLock::~FileLock() {

@@ -30,11 +30,6 @@ std::string cascade_file() {
   return std::string(kFolders[0]) + "/" + kFile;
 }
 
-bool overlaps_any(const cv::Rect& box, const std::vector<cv::Rect>& others) {
-  return std::any_of(others.begin(), others.end(),
-                     [&](const cv::Rect& other) { return (box & other).area() > 0; });
-}
-
 }  // namespace
 
 Result<HaarFaces> HaarFaces::open(Search search) {
@@ -64,39 +59,46 @@ void HaarFaces::search_textured(int smallest_px) {
     if (side > std::min(gray_.cols, gray_.rows)) break;
     if (side < smallest_px) continue;
     // With one size allowed, the step to the next decides only which one that is.
-    for (const cv::Rect& area : areas_.of_side(side)) add(area, std::max(scale, kScaleStep), 0, side, side);
+    for (const cv::Rect& area : areas_.of_side(side))
+      search_area(area, {std::max(scale, kScaleStep), side, side}, 0, false);
   }
   const std::vector<cv::Rect> all = boxes_;
   cv::groupRectangles(boxes_, levels_, weights_, kNeighbours, kSameBox);
-  look_again(all);
+  look_again(all, smallest_px);
 }
 
-void HaarFaces::add(const cv::Rect& area, double scale_step, int neighbours, int from_px, int to_px) {
-  cascade_.detectMultiScale(gray_(area), some_boxes_, some_levels_, some_weights_, scale_step, neighbours, 0,
-                            {from_px, from_px}, {to_px, to_px}, true);
-  for (const cv::Rect& box : some_boxes_) boxes_.push_back(box + area.tl());
-  levels_.insert(levels_.end(), some_levels_.begin(), some_levels_.end());
-  weights_.insert(weights_.end(), some_weights_.begin(), some_weights_.end());
+/// Adds what is found in this area; `apart`: only what lies apart from what was found before.
+void HaarFaces::search_area(const cv::Rect& area, const Sizes& sizes, int neighbours, bool apart) {
+  cascade_.detectMultiScale(gray_(area), some_boxes_, some_levels_, some_weights_, sizes.step, neighbours, 0,
+                            {sizes.from_px, sizes.from_px}, {sizes.to_px, sizes.to_px}, true);
+  const std::size_t before = boxes_.size();
+  for (std::size_t i = 0; i < some_boxes_.size(); ++i) {
+    const cv::Rect box = some_boxes_[i] + area.tl();
+    const auto meets = [&](const cv::Rect& other) { return (box & other).area() > 0; };
+    if (apart && std::any_of(boxes_.begin(), boxes_.begin() + static_cast<std::ptrdiff_t>(before), meets))
+      continue;
+    boxes_.push_back(box);
+    levels_.push_back(some_levels_[i]);
+    weights_.push_back(some_weights_[i]);
+  }
 }
 
 /// Where some squares were taken for a face but too few, their neighbours may have been left out: there all
 /// are asked.
-void HaarFaces::look_again(const std::vector<cv::Rect>& all) {
+void HaarFaces::look_again(const std::vector<cv::Rect>& all, int smallest_px) {
   std::vector<cv::Rect> doubtful;
   for (const cv::Rect& box : all) {
-    if (overlaps_any(box, boxes_)) continue;
-    const auto beside = std::find_if(doubtful.begin(), doubtful.end(),
-                                     [&](const cv::Rect& other) { return (box & other).area() > 0; });
+    const auto meets = [&](const cv::Rect& other) { return (box & other).area() > 0; };
+    if (std::any_of(boxes_.begin(), boxes_.end(), meets)) continue;
+    const auto beside = std::find_if(doubtful.begin(), doubtful.end(), meets);
     beside == doubtful.end() ? doubtful.push_back(box) : void(*beside |= box);
   }
   for (const cv::Rect& box : doubtful) {
-    // Found already round the one before.
-    if (overlaps_any(box, boxes_)) continue;
-    const int side = std::min(box.width, box.height), around = side / 4;
+    const int around = std::min(box.width, box.height) / 4;
     const cv::Rect area =
         cv::Rect(box.x - around, box.y - around, box.width + 2 * around, box.height + 2 * around) &
         cv::Rect({}, gray_.size());
-    add(area, kScaleStep, kNeighbours, side - around, std::max(area.width, area.height));
+    search_area(area, {kScaleStep, smallest_px, std::max(area.width, area.height)}, kNeighbours, true);
   }
 }
 

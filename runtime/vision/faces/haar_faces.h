@@ -22,12 +22,18 @@ class HaarFaces {
   std::vector<FaceBox> find(const cv::Mat& bgr);
 
  private:
+  /// The squares that are asked.
+  struct Sizes {
+    double step = 0;  ///< the factor from one size to the next
+    int from_px = 0, to_px = 0;
+  };
+
   HaarFaces(cv::CascadeClassifier cascade, Search search) : cascade_(std::move(cascade)), search_(search) {}
 
   void search_all(int smallest_px);
   void search_textured(int smallest_px);
-  void add(const cv::Rect& area, double scale_step, int neighbours, int from_px, int to_px);
-  void look_again(const std::vector<cv::Rect>& all);
+  void search_area(const cv::Rect& area, const Sizes& sizes, int neighbours, bool apart);
+  void look_again(const std::vector<cv::Rect>& all, int smallest_px);
 
   cv::CascadeClassifier cascade_;
   Search search_;

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <iterator>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
 #include "base/json_reader.h"
+#include "base/messages.h"
 #include "vision/messages.h"
 
 namespace mirada::vision {
@@ -92,7 +95,9 @@ Result<std::shared_ptr<FaceBook>> FaceBook::open(const std::filesystem::path& fi
 /// read.
 Status FaceBook::take_over() {
   std::error_code error;
-  if (!std::filesystem::exists(file_, error)) {
+  const bool there = std::filesystem::exists(file_, error);
+  if (error) return make_fault(file_.string(), messages::face_book_broken, {{"file", file_.string()}});
+  if (!there) {
     set({}, false);
     return Ok{};
   }
@@ -128,7 +133,7 @@ Status FaceBook::read(const std::string& text) {
   JsonReader in(*parsed, "", faults);
   in.choice("format", {"mirada-faces"});
   in.number("version", 1, 1);
-  const bool allowed = in.truth_or("allowed", false);
+  bool allowed = in.truth_or("allowed", false);
   std::vector<Known> people;
   for (JsonReader& person : in.objects("people", kMostPeople)) {
     // Names that once were taken load for ever.
@@ -141,6 +146,7 @@ Status FaceBook::read(const std::string& text) {
     people.push_back(std::move(known));
   }
   if (has_errors(faults)) return faults;
+  for (const Edit& edit : owed_) (void)edit(people, allowed);
   set(std::move(people), allowed);
   return Ok{};
 }
@@ -183,9 +189,13 @@ Status FaceBook::change_now(const Edit& edit, bool ends_lesson) {
   }
   const Result<bool> changed = edit(people, allowed);
   if (!changed) return changed.faults();
-  if (!*changed) return kept;
+  if (!*changed && owed_.empty()) return kept;
   if (is_kept() && kept) kept = write(people, allowed);
   if (!kept && !ends_lesson) return kept;
+  if (kept)
+    owed_.clear();
+  else
+    owed_.push_back(edit);
   set(std::move(people), allowed);
   const std::lock_guard lock(mutex_);
   if (ends_lesson) lesson_.reset();
@@ -337,16 +347,27 @@ Status FaceBook::end_lesson(std::uint64_t lesson, bool keep) {
 }
 
 std::future<Status> FaceBook::keep_lesson(std::uint64_t lesson) {
-  std::packaged_task<Status()> task([this, lesson] { return end_lesson(lesson, true); });
-  std::future<Status> answer = task.get_future();
+  const auto task = std::make_shared<std::packaged_task<Status()>>([this, lesson] {
+    try {
+      return end_lesson(lesson, true);
+    } catch (const std::exception& error) {  // no memory, say: nothing is kept, and the robot goes on
+      return Status(make_fault(file_.string(), messages::file_not_written,
+                               {{"file", file_.string()}, {"reason", error.what()}}));
+    }
+  });
+  std::future<Status> answer = task->get_future();
   if (!is_kept()) {
-    task();
+    (*task)();
     return answer;
   }
   const std::lock_guard lock(writing_mutex_);
   writing_.remove_if(
       [](const auto& one) { return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
-  writing_.push_back(std::async(std::launch::async, std::move(task)));
+  try {
+    writing_.push_back(std::async(std::launch::async, [task]() { (*task)(); }));
+  } catch (const std::system_error&) {  // no thread to be had: better late than never
+    (*task)();
+  }
   return answer;
 }
 

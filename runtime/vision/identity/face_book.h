@@ -112,8 +112,10 @@ class FaceBook {
 
   std::filesystem::path file_;  ///< "" = in memory only; never changes once the book is open
   std::mutex change_mutex_;     ///< one change at a time, its file included; taken before mutex_
-  mutable std::mutex mutex_;    ///< of everything below but the revision; never held while a file is written
-  std::vector<Known> people_;   ///< by name
+  std::vector<Edit>
+      owed_;  ///< a no, forgetting everybody: hold here, but could not be written; with change_mutex_
+  mutable std::mutex mutex_;   ///< of everything below but the revision; never held while a file is written
+  std::vector<Known> people_;  ///< by name
   bool allowed_ = false;
   std::atomic<std::uint64_t> revision_ = 1;
   std::optional<Lesson> lesson_;

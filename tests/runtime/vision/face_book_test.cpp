@@ -1,6 +1,8 @@
 #include "vision/identity/face_book.h"
 
+#include <chrono>
 #include <filesystem>
+#include <future>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -155,6 +157,37 @@ TEST_F(FaceBookTest, WhatAnotherProgramDoesToTheFileIsNotUndone) {
   EXPECT_THAT(names(*one), testing::ElementsAre("Leo"));
 }
 
+TEST_F(FaceBookTest, TwoProgramsThatLearnAtOnceLoseNobody) {
+  const auto learn = [&](const std::string& prefix) {
+    const auto book = FaceBook::open(file).value();
+    for (int i = 0; i < 20; ++i) EXPECT_TRUE(book->learn(prefix + std::to_string(i), "a", {along(0)}).ok());
+  };
+  std::thread one(learn, "A"), other(learn, "B");
+  one.join();
+  other.join();
+  EXPECT_EQ(FaceBook::open(file).value()->people().size(), 40u);
+}
+
+TEST_F(FaceBookTest, ANoThatCouldNotBeWrittenHoldsWhenTheFileIsReadAgain) {
+  const auto book = FaceBook::open(file).value();
+  ASSERT_TRUE(book->allow(true).ok());
+  ASSERT_TRUE(book->learn("Ana", "a", {along(0)}).ok());
+  ASSERT_TRUE(book->learn("Zoe", "a", {along(1)}).ok());
+  const fs::path in_the_way = file.string() + ".new";
+  fs::create_directory(in_the_way);
+  EXPECT_FALSE(book->allow(false).ok());
+  EXPECT_FALSE(book->rename("Ana", "Leo").ok());
+  EXPECT_FALSE(book->allowed());
+  EXPECT_FALSE(book->forget_all().ok());
+  EXPECT_FALSE(book->learn("Mia", "a", {along(2)}).ok());
+  EXPECT_TRUE(book->people().empty());
+  fs::remove(in_the_way);
+  ASSERT_TRUE(book->learn("Mia", "a", {along(2)}).ok());
+  const auto again = FaceBook::open(file).value();
+  EXPECT_FALSE(again->allowed());
+  EXPECT_THAT(names(*again), testing::ElementsAre("Mia"));
+}
+
 TEST_F(FaceBookTest, ANoAndForgettingEverybodyHoldThoughTheFileIsSpoilt) {
   const auto book = FaceBook::open(file).value();
   ASSERT_TRUE(book->allow(true).ok());
@@ -178,6 +211,7 @@ TEST_F(FaceBookTest, ALessonThatIsKeptWhenTheBookIsClosedIsInTheFile) {
     book->teach(lesson, "a", along(0), nullptr);
     std::future<Status> kept = book->keep_lesson(lesson);
     book.reset();
+    ASSERT_EQ(kept.wait_for(std::chrono::seconds(0)), std::future_status::ready);
     EXPECT_TRUE(kept.get().ok());
     EXPECT_THAT(names(*FaceBook::open(file).value()), testing::ElementsAre("Ana"));
   }
