@@ -83,6 +83,13 @@ Status write_file_atomically(const fs::path& path, std::string_view bytes, unsig
   return Ok{};
 }
 
+std::string file_mark(const fs::path& path) {
+  struct stat found {};
+  if (::stat(path.c_str(), &found) != 0) return "";
+  return std::to_string(found.st_ino) + " " + std::to_string(found.st_size) + " " +
+         std::to_string(found.st_mtim.tv_sec) + "." + std::to_string(found.st_mtim.tv_nsec);
+}
+
 FileLock::FileLock(const fs::path& path)
     : fd_(::open((path.string() + ".lock").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600)) {
   while (fd_ >= 0 && ::flock(fd_, LOCK_EX) != 0 && errno == EINTR) {

@@ -15,6 +15,9 @@ Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t 
 /// of one. The file has the rights `mode`, less what the umask takes.
 Status write_file_atomically(const std::filesystem::path& path, std::string_view bytes, unsigned mode = 0644);
 
+/// Another one whenever the file was written anew, by whomever; "" when there is none.
+std::string file_mark(const std::filesystem::path& path);
+
 /// While it lives, others who ask for the same file wait, in this program and in any other (flock of a file
 /// beside it). Where that file cannot be made, nobody waits.
 class FileLock {

@@ -45,7 +45,10 @@ class LiveStation final : public session::Station {
   std::optional<Fault> camera_words() const override;
 
   session::KnownFaces known_faces() const override;
-  std::uint64_t known_faces_revision() const override { return book_->revision(); }
+  std::uint64_t known_faces_revision() const override {
+    book_->notice_changes();
+    return book_->revision();
+  }
   Status change_faces(const session::FacesStep& step) override;
 
  private:

@@ -34,8 +34,9 @@ inline constexpr Message faces_unavailable{"faces_unavailable", "I can't look fo
 
 inline constexpr Message faces_not_allowed{
     "faces_not_allowed",
-    "Learning and recognising faces is off here. A teacher can allow it, under Known faces.",
-    "Aprender y reconocer caras está apagado aquí. Un profesor puede permitirlo, en Caras conocidas."};
+    "Learning and recognising faces is off here. A teacher can allow it, under Names… above the picture.",
+    "Aprender y reconocer caras está apagado aquí. Un profesor puede permitirlo, en Nombres… encima de la "
+    "imagen."};
 inline constexpr Message face_not_learnt{
     "face_not_learnt",
     "I could not see the face well enough to learn it as {name}. Come near and look at me.",

@@ -155,6 +155,7 @@ TelemetryText::TelemetryText(const session::Telemetry& telemetry)
       sonar_(telemetry.percepts ? sonar_text(telemetry.percepts->sonar) : "null"),
       faces_(faces_text(telemetry, true)),
       nameless_faces_(faces_text(telemetry, false)),
+      lesson_(telemetry.percepts && telemetry.percepts->faces.lesson),
       scene_(telemetry.scene_json.empty() ? "null" : telemetry.scene_json),
       memory_(telemetry.memory ? memory_text(*telemetry.memory) : "null") {}
 
@@ -164,7 +165,7 @@ std::string TelemetryText::assemble(const session::Wanted& panels, bool names) c
     out += std::string(",\"") + name + "\":" + (open ? text : "null");
   };
   part("sonar", panels.sonar, sonar_);
-  part("faces", panels.faces, names ? faces_ : nameless_faces_);
+  part("faces", panels.faces || (names && lesson_), names ? faces_ : nameless_faces_);
   part("scene", panels.room, scene_);
   part("memory", panels.memory, memory_);
   return out + ",\"type\":\"telemetry\",\"t_us\":" + time_ + "}";

@@ -23,6 +23,7 @@ class TelemetryText {
   std::string sonar_;
   std::string faces_;
   std::string nameless_faces_;
+  bool lesson_ = false;  ///< goes on: shown whichever panels are open
   std::string scene_;
   std::string memory_;
 };

@@ -97,8 +97,8 @@ void add_faces(Commands& commands) {
   auto options = std::make_shared<FacesOptions>();
   CLI::App* faces = commands.app.add_subcommand(
       "faces",
-      "The faces that were learnt: list, learn from pictures, rename, forget, allow. Not while mirada "
-      "serve runs on the same file: there the editor does it.");
+      "The faces that were learnt: list, learn from pictures, rename, forget, allow. A mirada serve "
+      "that runs on the same file notices.");
   faces->require_subcommand(1);
   faces->add_option("--file", options->file, "The file; without it known.json in the user's own folder");
   faces->add_option("--lang", options->lang, "en or es")->check(CLI::IsMember({"en", "es"}));

@@ -1,10 +1,11 @@
 // `mirada serve`: the program itself, from the build tree and installed.
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
+import { mkdirSync, readFileSync } from 'node:fs';
 import { request } from 'node:http';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { folder, freePort, mirada, refused, root, serve } from './support.mjs';
+import { file, folder, freePort, mirada, refused, root, serve } from './support.mjs';
 
 /** One request; node's fetch would not let us set Host. */
 function ask(address, path, { method = 'GET', headers = {} } = {}) {
@@ -42,6 +43,16 @@ test('a busy port, an unknown room or robot, a missing camera: one clear sentenc
   refused(mirada(['serve', '--port', port, '--world', 'moon']), /moon/);
   refused(mirada(['serve', '--port', port, '--robot', 'nobody']), /nobody/);
   refused(mirada(['serve', '--port', port, '--camera', 'v4l2:77']), /77/);
+});
+
+test('its own broken file of known faces keeps no robot from starting, and stays; one that was named is refused', async () => {
+  mkdirSync(join(folder, 'own/mirada/faces'), { recursive: true });
+  const known = file('own/mirada/faces/known.json', '{');
+  const robot = await serve(['--port', String(await freePort())], { env: { ...process.env, XDG_DATA_HOME: join(folder, 'own') } });
+  await robot.stop();
+  assert.match(robot.said(), /known\.json can't be read[^]*not whole JSON[^]*Until then I know nobody/);
+  assert.equal(readFileSync(known, 'utf8'), '{');
+  refused(mirada(['serve', '--port', String(await freePort()), '--known-faces', known]), /known\.json can't be read/);
 });
 
 test('installed it finds its data beside itself', async () => {

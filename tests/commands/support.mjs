@@ -73,8 +73,8 @@ export async function freePort() {
 }
 
 /** Starts `mirada serve`; resolves when it says that it is ready, with its address, and stop() that waits for its end. */
-export function serve(args, { binary = program } = {}) {
-  const child = spawn(binary, ['serve', ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
+export function serve(args, { binary = program, env = process.env } = {}) {
+  const child = spawn(binary, ['serve', ...args], { env, stdio: ['ignore', 'pipe', 'pipe'] });
   const ended = new Promise((resolve) => child.once('exit', (code, signal) => resolve({ code, signal })));
   const stop = (signal = 'SIGTERM') => {
     child.kill(signal);
@@ -85,7 +85,7 @@ export function serve(args, { binary = program } = {}) {
     const listen = (chunk) => {
       said += chunk;
       const address = said.match(/http:\/\/[\w.[\]:]+\//)?.[0];
-      if (address) resolve({ address, stop, ended });
+      if (address) resolve({ address, stop, ended, said: () => said });
     };
     child.stdout.on('data', listen);
     child.stderr.on('data', listen);

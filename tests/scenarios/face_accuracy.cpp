@@ -258,12 +258,12 @@ struct Shown {
   cv::Rect2d face;  // empty: nobody
 };
 
-/// The cascade with uniform areas left out and without, and the network, by turns on the same pictures.
+/// The cascade with uniform areas left out and without, by turns on the same pictures.
 json skipping(const std::string& what, const std::vector<Shown>& pictures,
-              const std::array<Find, 3>& finders) {
+              const std::array<Find, 2>& finders) {
   const SteadyClock clock;
-  std::array<Tally, 3> tallies;
-  std::array<double, 3> ms{};
+  std::array<Tally, 2> tallies;
+  std::array<double, 2> ms{};
   for (const Shown& shown : pictures) {
     for (std::size_t i = 0; i < finders.size(); ++i) {
       const Micros before = clock.now();
@@ -277,11 +277,7 @@ json skipping(const std::string& what, const std::vector<Shown>& pictures,
                 {"hits", tallies[i].hits},
                 {"false", tallies[i].wrong}};
   };
-  return {{"what", what},
-          {"pictures", pictures.size()},
-          {"haar_everywhere", row(0)},
-          {"haar", row(1)},
-          {"ultraface", row(2)}};
+  return {{"what", what}, {"pictures", pictures.size()}, {"haar_everywhere", row(0)}, {"haar", row(1)}};
 }
 
 std::vector<Shown> photographs() {
@@ -349,8 +345,8 @@ int main() {
         composites(find, 24, 48, 0.25, 120, random).row("24 to 48 px, a quarter of the light", name));
     for (const json& row : turned_heads(find, name, robot)) turned.push_back(row);
   }
-  const std::array<Find, 3> finders{[&](const cv::Mat& bgr) { return everywhere->find(bgr); },
-                                    detectors[1].second, detectors[0].second};
+  const std::array<Find, 2> finders{[&](const cv::Mat& bgr) { return everywhere->find(bgr); },
+                                    detectors[1].second};
   const json skips = {skipping("photographs", photographs(), finders),
                       skipping("simulated rooms with somebody", rooms_with_somebody(robot), finders),
                       skipping("a simulated room with nobody", empty_rooms(robot), finders)};

@@ -361,14 +361,30 @@ std::future<Status> FaceBook::keep_lesson(std::uint64_t lesson) {
     return answer;
   }
   const std::lock_guard lock(writing_mutex_);
+  beside([task] { (*task)(); });
+  return answer;
+}
+
+void FaceBook::notice_changes() {
+  if (!is_kept()) return;
+  const std::lock_guard lock(writing_mutex_);
+  const std::string now = file_mark(file_);
+  if (now == std::exchange(noticed_, now)) return;
+  beside([this] {
+    const std::lock_guard changing(change_mutex_);
+    // A spoilt file is said when somebody wants to change it.
+    (void)take_over();
+  });
+}
+
+void FaceBook::beside(std::function<void()> work) {
   writing_.remove_if(
       [](const auto& one) { return one.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
   try {
-    writing_.push_back(std::async(std::launch::async, [task]() { (*task)(); }));
+    writing_.push_back(std::async(std::launch::async, work));
   } catch (const std::system_error&) {  // no thread to be had: better late than never
-    (*task)();
+    work();
   }
-  return answer;
 }
 
 }  // namespace mirada::vision

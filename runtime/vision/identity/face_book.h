@@ -20,8 +20,8 @@ namespace mirada::vision {
 /// The people whose faces were learnt: a name and features each, never pictures; and whether anybody may be
 /// learnt or recognised at all, which a teacher decides (off at first). Kept in one file, written atomically,
 /// or in memory only. Other programs may change the same file: what they did is taken over with the next
-/// change made here. Every call may come from any thread; what changes people or allowed() waits for the
-/// file, everything else never does.
+/// change made here, or by notice_changes(). Every call may come from any thread; what changes people or
+/// allowed() waits for the file, everything else never does.
 class FaceBook {
  public:
   static constexpr std::size_t kMostPeople = 60;
@@ -44,6 +44,9 @@ class FaceBook {
     std::size_t looks = 0;
   };
   std::vector<Person> people() const;  ///< by name
+  /// Takes over, beside the caller, what other programs have done to the file since; costs one look at its
+  /// date.
+  void notice_changes();
   /// Grows when people or allowed() are different.
   std::uint64_t revision() const { return revision_; }
 
@@ -120,7 +123,10 @@ class FaceBook {
   std::atomic<std::uint64_t> revision_ = 1;
   std::optional<Lesson> lesson_;
   std::uint64_t lessons_ = 0;
-  std::mutex writing_mutex_;                ///< of writing_
+  void beside(std::function<void()> work);  ///< with writing_mutex_ held
+
+  std::mutex writing_mutex_;                ///< of what follows
+  std::optional<std::string> noticed_;      ///< the file's mark
   std::list<std::future<void>> writing_{};  ///< waited for first of all when the book is destroyed
 };
 

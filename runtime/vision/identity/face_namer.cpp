@@ -17,6 +17,7 @@ constexpr double kAhead = 0.05;  // of the next in likeness
 constexpr double kNameable_px = 20;
 constexpr double kTeachable_px = 24;  // a lesson wants more
 constexpr Micros kBetweenLooks = 280 * kMillisecond;
+constexpr Micros kMissed = 800 * kMillisecond;
 
 bool is_shown(const FacePercept& face) { return !face.predicted && face.id > 0; }
 
@@ -106,9 +107,13 @@ void FaceNamer::learn(const cv::Mat& bgr, FacesPercept& seen, std::uint64_t less
     lesson_ = lesson;
     pupil_ = 0;
     taught_at_ = 0;
+    shown_at_ = 0;
   }
   const auto say = [&](const Message& hint) { book_->teach(lesson, "", std::nullopt, &hint); };
   const auto shown = std::count_if(seen.faces.begin(), seen.faces.end(), is_shown);
+  if (shown > 0) shown_at_ = seen.t_exposure;
+  // Missed in a picture or two: what was said before still holds.
+  if (shown == 0 && shown_at_ != 0 && seen.t_exposure - shown_at_ < kMissed) return;
   if (shown == 0) return say(messages::lesson_show_face);
   const FacePercept& face = *std::find_if(seen.faces.begin(), seen.faces.end(), is_shown);
   if (face.w_px < kTeachable_px) return say(messages::lesson_closer);

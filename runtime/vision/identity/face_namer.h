@@ -46,6 +46,7 @@ class FaceNamer {
   std::uint64_t lesson_ = 0;
   int pupil_ = 0;  ///< whose lesson it is
   Micros taught_at_ = 0;
+  Micros shown_at_ = 0;  ///< when the lesson last saw a face
 };
 
 }  // namespace mirada::vision

@@ -1,13 +1,15 @@
 // What waiting costs and how exact it is on the live robot, in this process, on the wall clock; prints JSON.
 //  wake_up: how much longer than asked a `wait` takes, by the program's own timer, alone and beside a script
 //           that never waits.
-//  beside_faces: how often obstacles are seen, and how late scripts and motors are served, while faces are
+//  beside_faces: how often obstacles are seen, and how long the loop of scripts and motors is silent, while
+//  faces are
 //           looked for as well and while they are not, turn by turn.
 //  waiting: CPU time of the whole robot with 1,000 scripts that wait, less that of one without a program.
 #include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <iostream>
+#include <optional>
 #include <thread>
 
 #include "base/clock.h"
@@ -70,53 +72,45 @@ Json wake_up(session::Station& station, bool busy) {
           {"max_ms", values_ms.back()}};
 }
 
-/// A script that never waits notes the longest time in which it had no turn: script and motors are served by
-/// one loop. Others ask for obstacles, and for faces if wanted, as a child's program does.
+/// Asks for obstacles, and for faces if wanted, and drives, as a child's program does.
 std::string sees(bool faces) {
-  const Json gap = minus(in(var("now")), in(var("last")));
-  const Json longest =
-      block("control_if",
-            {{"CONDITION", in(block("operator_gt", {{"OPERAND1", gap}, {"OPERAND2", in(var("longest"))}}))},
-             {"SUBSTACK", in(set("longest", gap))}});
   const Json ask = set("cm", in(block("vision_obstacle_distance", {{"ANGLE", number(0)}})));
-  std::vector<Json> tops{
-      hat({set("last", timer()),
-           forever(stack({set("now", timer()), longest, set("last", in(var("now")))}))}),
-      hat({forever(stack(
-          {ask, block("motion_set_speeds", {{"LEFT", number(5)}, {"RIGHT", number(-5)}}), wait(0.05)}))})};
+  std::vector<Json> tops{hat({forever(
+      stack({ask, block("motion_set_speeds", {{"LEFT", number(5)}, {"RIGHT", number(-5)}}), wait(0.05)}))})};
   if (faces) tops.push_back(hat({forever(stack({set("people", in(block("people_count"))), wait(0.05)}))}));
-  return program(std::move(tops), {"now", "last", "longest", "cm", "people"}).dump();
+  return program(std::move(tops), {"cm", "people"}).dump();
 }
 
+/// What the loop that serves scripts and motors brings, on the machine's clock: its snapshots come every 50
+/// ms, so that no more than 20 answers a second are counted.
 struct Seen {
-  int faces = 0;         ///< answers
-  int sonar = 0;         ///< answers
-  double widest_ms = 0;  ///< between two of the sonar's pictures
-  double oldest_ms = 0;  ///< the sonar's answer, when it came
-  double behind_ms = 0;  ///< the robot's clock, the most, on the machine's
+  int faces = 0, sonar = 0;
+  double silent_ms = 0;  ///< longest without a new snapshot
+  double behind_ms = 0;  ///< most that the robot's clock has lost, at a new snapshot
 };
 
 Seen watch(session::Station& station, double seconds) {
   Seen seen;
-  Micros sonar_at = 0, faces_at = 0;
   const SteadyClock wall;
-  const Micros begin = wall.now(), robot_begin = station.telemetry()->t;
+  const auto first = station.telemetry();
+  Micros sonar_at = 0, faces_at = 0, robot_at = first->t;
+  const Micros begin = wall.now();
+  Micros news = begin;
+  std::optional<Micros> in_step;  // the clocks' difference at the first new snapshot
   while (mirada::seconds(wall.now() - begin) < seconds) {
-    sleep_s(0.001);
+    sleep_s(0.0005);
     const auto now = station.telemetry();
-    if (now->percepts == nullptr) continue;
-    const Micros behind = (wall.now() - begin) - (now->t - robot_begin);
-    seen.behind_ms = std::max(seen.behind_ms, static_cast<double>(behind) * 1e-3);
-    const Micros sonar = now->percepts->sonar.t_exposure, faces = now->percepts->faces.t_exposure;
-    if (faces != faces_at) ++seen.faces;
-    if (sonar != sonar_at) {
-      if (sonar_at != 0)
-        seen.widest_ms = std::max(seen.widest_ms, static_cast<double>(sonar - sonar_at) * 1e-3);
-      seen.oldest_ms = std::max(seen.oldest_ms, static_cast<double>(now->t - sonar) * 1e-3);
-      ++seen.sonar;
-    }
-    sonar_at = sonar;
-    faces_at = faces;
+    if (now->percepts == nullptr || now->t == robot_at) continue;
+    const Micros here = wall.now();
+    robot_at = now->t;
+    if (!in_step) in_step = here - now->t;
+    seen.behind_ms = std::max(seen.behind_ms, static_cast<double>(here - now->t - *in_step) * 1e-3);
+    seen.silent_ms = std::max(seen.silent_ms, static_cast<double>(here - news) * 1e-3);
+    news = here;
+    seen.sonar += now->percepts->sonar.t_exposure != sonar_at;
+    seen.faces += now->percepts->faces.t_exposure != faces_at;
+    sonar_at = now->percepts->sonar.t_exposure;
+    faces_at = now->percepts->faces.t_exposure;
   }
   return seen;
 }
@@ -126,14 +120,11 @@ Json looking(session::Station& station, bool faces) {
   if (!station.start(sees(faces))) return "not started";
   sleep_s(1);
   const Seen seen = watch(station, kSeconds);
-  const auto last = station.telemetry();
   station.stop(session::StopReason::stop_button);
   return {{"sonar_per_s", seen.sonar / kSeconds},
           {"faces_per_s", seen.faces / kSeconds},
-          {"sonar_widest_gap_ms", seen.widest_ms},
-          {"sonar_oldest_ms", seen.oldest_ms},
-          {"clock_most_behind_ms", seen.behind_ms},
-          {"longest_without_a_turn_ms", last->variables.at("longest").number * 1e3}};
+          {"longest_silence_ms", seen.silent_ms},
+          {"clock_lost_ms", seen.behind_ms}};
 }
 
 Json beside_faces(session::Station& station) {

@@ -83,6 +83,8 @@ TEST(TelemetryText, who_the_faces_are_is_not_for_everybody) {
   const json told = json::parse(text.assemble({.faces = true}, true))["faces"];
   EXPECT_EQ(told["faces"][0]["name"], "Ana");
   EXPECT_EQ(told["lesson"]["name"], "Ben");
+  EXPECT_EQ(json::parse(text.assemble({}, true))["faces"]["lesson"]["name"], "Ben");
+  EXPECT_TRUE(json::parse(text.assemble({}, false))["faces"].is_null());
   const std::string others = text.assemble({.faces = true}, false);
   EXPECT_EQ(others.find("Ana"), std::string::npos);
   EXPECT_EQ(others.find("Ben"), std::string::npos);

@@ -157,6 +157,29 @@ TEST_F(FaceBookTest, WhatAnotherProgramDoesToTheFileIsNotUndone) {
   EXPECT_THAT(names(*one), testing::ElementsAre("Leo"));
 }
 
+TEST_F(FaceBookTest, WhatAnotherProgramDidIsNoticed) {
+  auto book = FaceBook::open(file).value();
+  const auto other = FaceBook::open(file).value();
+  const auto noticed = [&] {
+    const std::uint64_t before = book->revision();
+    book->notice_changes();
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (book->revision() == before && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+  };
+  ASSERT_TRUE(other->allow(true).ok());
+  noticed();
+  EXPECT_TRUE(book->allowed());
+  ASSERT_TRUE(other->learn("Ana", "a", {along(0)}).ok());
+  noticed();
+  EXPECT_THAT(names(*book), testing::ElementsAre("Ana"));
+  ASSERT_TRUE(other->forget("Ana").ok());
+  noticed();
+  EXPECT_TRUE(book->people().empty());
+  fs::remove(file);
+  noticed();
+  EXPECT_FALSE(book->allowed());
+}
+
 TEST_F(FaceBookTest, TwoProgramsThatLearnAtOnceLoseNobody) {
   const auto learn = [&](const std::string& prefix) {
     const auto book = FaceBook::open(file).value();

@@ -146,8 +146,11 @@ TEST(HaarFaces, FindsWhatASearchEverywhereFindsAndLooksAtPicturesOfAnyShape) {
   cv::Mat scene = photograph("home.jpg");
   put_head(scene, 24, {84, 20});
   EXPECT_EQ(textured->find(scene).size(), 1u);
-  for (const cv::Size size : {cv::Size(1, 1), cv::Size(24, 24), cv::Size(640, 25), cv::Size(25, 640)})
-    EXPECT_TRUE(textured->find(cv::Mat(size, CV_8UC3, cv::Scalar(90, 90, 90))).empty());
+  for (const cv::Size size : {cv::Size(1, 1), cv::Size(24, 24), cv::Size(320, 25), cv::Size(100, 200)}) {
+    cv::Mat noise(size, CV_8UC3);
+    cv::RNG(7).fill(noise, cv::RNG::UNIFORM, 0, 256);
+    EXPECT_TRUE(textured->find(noise).empty());
+  }
 }
 
 /// Which part of a picture the areas for this size hold.
@@ -156,6 +159,26 @@ double share_of(TexturedAreas& areas, const cv::Mat& gray, int side_px) {
   cv::Mat held(gray.size(), CV_8U, cv::Scalar(0));
   for (const cv::Rect& area : areas.of_side(side_px)) held(area) = 1;
   return static_cast<double>(cv::countNonZero(held)) / static_cast<double>(gray.total());
+}
+
+TEST(TexturedAreas, LieInThePictureAndHoldAtLeastOneSquare) {
+  TexturedAreas areas;
+  for (const cv::Size size : {cv::Size(24, 24), cv::Size(321, 25), cv::Size(100, 199), cv::Size(20, 20)}) {
+    cv::Mat noise(size, CV_8U);
+    cv::RNG(7).fill(noise, cv::RNG::UNIFORM, 0, 256);
+    areas.look(noise);
+    for (const int side : {20, 24, 37, 199}) {
+      const std::vector<cv::Rect> found = areas.of_side(side);
+      EXPECT_EQ(found.empty(), side > std::min(size.width, size.height)) << side;
+      cv::Rect all;
+      for (const cv::Rect& area : found) {
+        EXPECT_EQ(area & cv::Rect({}, size), area);
+        EXPECT_GE(std::min(area.width, area.height), side);
+        all |= area;
+      }
+      EXPECT_EQ(all, found.empty() ? cv::Rect() : cv::Rect({}, size));
+    }
+  }
 }
 
 TEST(TexturedAreas, LeaveOutWallsAndEdgesAndKeepAFaceInAnyLight) {

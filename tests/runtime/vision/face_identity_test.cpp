@@ -126,6 +126,22 @@ TEST_F(FaceNamerTest, WhoStepsInDuringALessonIsNotLearnt) {
   ASSERT_TRUE(book->end_lesson(lesson, false).ok());
 }
 
+TEST_F(FaceNamerTest, AFaceMissedInAPictureOrTwoDoesNotChangeTheAdvice) {
+  (void)book->begin_lesson("Ana");
+  Shown far = one();
+  far.face.width = far.face.height = 18;
+  look(far, 1);
+  const auto looks_at_nobody = [&] {
+    FacesPercept seen;
+    seen.frame = ++frame;
+    seen.t_exposure = static_cast<Micros>(frame) * 200 * kMillisecond;
+    namer.look(far.bgr, seen, true);
+    return book->lesson()->hint->code;
+  };
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(looks_at_nobody(), "lesson_closer");
+  EXPECT_EQ(looks_at_nobody(), "lesson_show_face");
+}
+
 TEST_F(FaceNamerTest, SwitchedOffItNamesNobodyAndLooksAtNobody) {
   learn(one(), 1);
   ASSERT_TRUE(book->allow(false).ok());

@@ -69,7 +69,10 @@ function Person({ name, looks }: { name: string; looks: number }) {
           type="button"
           class="button"
           aria-label={t('faces_forget_name', { name })}
-          onClick={() => send({ type: 'faces', action: 'forget', name })}
+          onClick={() => {
+            facesRefused.value = null;
+            send({ type: 'faces', action: 'forget', name });
+          }}
         >
           {t('faces_forget')}
         </button>
@@ -99,7 +102,10 @@ function FacesDialog() {
             type="button"
             class="button"
             data-testid="faces-forget-all"
-            onClick={() => send({ type: 'faces', action: 'forget_all' })}
+            onClick={() => {
+              facesRefused.value = null;
+              send({ type: 'faces', action: 'forget_all' });
+            }}
           >
             {t('faces_forget_all')}
           </button>

@@ -33,7 +33,8 @@ function draw(canvas: HTMLCanvasElement): void {
     const words = distance === null ? '' : t('nearest', { cm: Math.round(distance * 100) });
     if (words && at) drawLabel(pen, words, at[0] * scale, at[1] * scale, hueOf('sonar'));
   }
-  if (panels.value.faces && now?.faces) drawFaces(pen, now.faces, w / now.faces.width, hueOf('faces'));
+  if (now?.faces && (panels.value.faces || now.faces.lesson))
+    drawFaces(pen, now.faces, w / now.faces.width, hueOf('faces'));
 }
 
 const troubles: Record<string, MessageKey> = {

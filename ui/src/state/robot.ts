@@ -170,7 +170,6 @@ function receive(message: FromRobot): void {
       break;
     case 'known_faces':
       knownFaces.value = message;
-      facesRefused.value = null;
       break;
     case 'value':
       waiting.get(message.request)?.(message);
